@@ -3,7 +3,7 @@
 //!
 //! Blocks are stretches of the joint angles where the joints move at random, and stretches of
 //! time besides; several small ones make one fold, so that no fold lies beyond the others. All rows of a pose are in one,
-//! and of an arm, or of few values of a joint, all that were measured where it came back: they show nothing of another pose.
+//! and of an arm all that were measured where it came back: they show nothing of another pose.
 
 use nalgebra::DVector;
 
@@ -44,8 +44,6 @@ pub(crate) struct HeldOutResiduals {
 /// What a fit without a term leaves of unseen samples is clearly more if it is so many times as much, squared.
 const SURELY: f64 = 1.04;
 const FOLDS: usize = 5;
-/// Stretches, or cells of the workspace, of which they are made.
-const STRETCHES: usize = 4 * FOLDS;
 const _: () = assert!(FOLDS == 5, "the answer speaks of fifths");
 /// Below this number of poses nothing is said about unseen ones.
 pub(crate) const FEWEST: usize = 6;
@@ -53,13 +51,6 @@ pub(crate) const FEWEST: usize = 6;
 /// The samples of rows by their poses.
 fn poses_of(rows: &Rows) -> ByPose {
     ByPose::of(rows.inputs.pose.as_deref(), rows.samples.len())
-}
-
-/// The same by where the robot was sent: other visits show nothing of another place. `None` where those are too few to say
-/// anything of others.
-fn places_of(rows: &Rows) -> Option<ByPose> {
-    let places = ByPose::of_places(&rows.inputs.q, rows.samples.len());
-    (places.first.len() >= FEWEST).then_some(places)
 }
 
 impl Folds {
@@ -78,9 +69,7 @@ impl Folds {
         };
         let widest = (0..q.len()).max_by(|a, b| range(&q[*a]).total_cmp(&range(&q[*b])));
         let column = widest.map_or(&[][..], |j| &*q[j]);
-        // Fewer values than stretches would be in several of them, visit by visit.
-        let few = places_of(&regression.rows).filter(|own| own.first.len() < STRETCHES);
-        let poses = few.unwrap_or_else(|| poses_of(&regression.rows));
+        let poses = poses_of(&regression.rows);
         let n = poses.first.len();
         let mut order: Vec<usize> = (0..n).collect();
         order.sort_by(|a, b| {
@@ -91,7 +80,7 @@ impl Folds {
             let sectors = (n / 3).clamp(2, 10);
             (sectors, sectors)
         } else {
-            (FOLDS, STRETCHES)
+            (FOLDS, 4 * FOLDS)
         };
         let mut fold = vec![0; n];
         for (rank, pose) in order.iter().enumerate() {
@@ -127,13 +116,14 @@ impl Folds {
     /// Folds over cells of the workspace, for a robot with several joints.
     pub(crate) fn over_cells(rows: &Rows, model: &Model) -> Self {
         let points = rows.points(model);
-        let Some(places) = places_of(rows) else {
+        let places = ByPose::of_places(&rows.inputs.q, rows.samples.len());
+        if places.first.len() < FEWEST {
             let visits = Self::over_cells_of(rows, &points, &poses_of(rows));
             return Self {
                 predict_poses: false,
                 ..visits
             };
-        };
+        }
         Self::over_cells_of(rows, &points, &places)
     }
 
@@ -150,7 +140,7 @@ impl Folds {
             return Self::of_poses(poses, &fold, FOLDS, how);
         }
         let few = n < FEW;
-        let wanted = if few { (n / 3).clamp(2, 10) } else { STRETCHES };
+        let wanted = if few { (n / 3).clamp(2, 10) } else { 4 * FOLDS };
         let cell = cells(&points, wanted);
         let made = cell.iter().max().map_or(1, |c| c + 1);
         let count = if few { made } else { FOLDS };

@@ -156,15 +156,6 @@ impl<'a> Regression<'a> {
         )
     }
 
-    /// The same where so many times less is known beforehand of the base.
-    pub(crate) fn with_less_known(&self, times: f64) -> Self {
-        let mut other = self.with_noise(self.noise.clone());
-        for prior in &mut other.priors {
-            prior.sigma *= times;
-        }
-        other
-    }
-
     /// Number of measured rows.
     pub(crate) fn m(&self) -> f64 {
         self.rows.count() as f64

@@ -10,8 +10,16 @@ use crate::model::Model;
 use crate::side_by_side::Threads;
 use crate::text::Text;
 
-use super::LIKELIER;
 use super::design::Design;
+use super::{BEYOND_DOUBT, LIKELIER};
+
+/// The gain on unseen samples has to be so many times its own standard deviation …
+const SURE: f64 = 2.5;
+/// … or so many where the samples are beyond doubt: of few samples a few that were far off make the gain of all
+/// uncertain …
+const SURE_ENOUGH: f64 = 1.5;
+/// … and this share of the error at least.
+const WORTH: f64 = 0.005;
 
 /// What predicts, fitted to some samples.
 pub(crate) struct FittedFamilies {
@@ -51,7 +59,13 @@ pub(crate) fn fitted(
             }
         }
     }
-    if !gains.predict(likelier) {
+    let worth = gains.after_mm < (1.0 - WORTH) * gains.before_mm;
+    let sure = if likelier > BEYOND_DOUBT {
+        SURE_ENOUGH
+    } else {
+        SURE
+    };
+    if !worth || gains.sigmas < sure || !gains.after_mm.is_finite() {
         return None;
     }
     let (terms, over) = design.terms(&strengths)?;

@@ -19,11 +19,12 @@ use crate::fit::regression::Rows;
 use crate::linear::Basis;
 use crate::model::Model;
 
-use super::different;
 use super::held_out::Whitened;
 
 /// A longer session is thinned evenly to so many samples: there are hundreds for each knot then.
 const MOST_SAMPLES: usize = 3000;
+/// Values of the joint closer than this (rad or mm) are the same pose.
+pub(super) const SAME: f64 = 1e-6;
 /// A direction of which less than this share is left beside the others was not measured; a column of which less is
 /// along a direction does nothing there.
 const MEASURED: f64 = 1e-3;
@@ -84,30 +85,22 @@ impl<'a> Columns<'a> {
         Self::of(rows, joint, blocks)
     }
 
-    /// The same in all directions together beside a noise and all terms of the model but some names, whose columns come
-    /// with it: the residual is without them.
+    /// The same in all directions together beside a noise, and beside all terms of the model.
     pub(super) fn together(
         problem: &Problem<'a>,
         noise: &Noise,
         model: &Model,
-        (joint, names): (usize, &[Term]),
-    ) -> (Self, DMatrix<f64>) {
+        joint: usize,
+    ) -> Self {
         let rows = Rows::of(&problem.thinned(MOST_SAMPLES));
-        let is_name = |term: &Term| names.iter().any(|name| name.same_column(term));
-        let [moves, mut base, mut residual] = extracted(&rows, model, joint, |t| !is_name(t));
-        let [_, mut own, _] = extracted(&rows, model, joint, is_name);
-        let coefficients = model.columns().filter(|(term, _)| is_name(term));
-        for (column, (term, k)) in own.column_iter().zip(coefficients) {
-            residual += column * term.coefficients[k];
-        }
-        let columns = base.column_iter_mut().chain(own.column_iter_mut());
-        for mut column in columns {
+        let [moves, mut base, residual] = extracted(&rows, model, joint, |_| true);
+        let n = rows.samples.len();
+        for mut column in base.column_iter_mut() {
             let norm = column.norm();
             if norm > 0.0 {
                 column.unscale_mut(norm);
             }
         }
-        let n = rows.samples.len();
         let white = noise.whitened(&rows, &moves);
         let unit = |d: usize| match white.column(d).norm() {
             norm if norm > 0.0 => (n as f64).sqrt() / norm,
@@ -126,19 +119,22 @@ impl<'a> Columns<'a> {
             floor: (SMALLEST_SIGMA_MM / smallest).powi(2),
             measured: (0..rows.len()).filter(|row| rows.has(*row)).collect(),
         };
-        (Self::of(rows, joint, vec![block]), own)
+        Self::of(rows, joint, vec![block])
     }
 
     fn of(rows: Rows<'a>, joint: usize, blocks: Vec<Block>) -> Self {
         let q = rows.inputs.q[joint].to_vec();
         let dir = rows.inputs.dir[joint].as_deref();
         let dir = dir.map_or_else(|| vec![0.0; q.len()], <[f64]>::to_vec);
+        let mut values = q.clone();
+        values.sort_by(f64::total_cmp);
+        values.dedup_by(|a, b| (*a - *b).abs() < SAME);
         Self {
             joint,
             rows,
-            values: different(&q),
             q,
             dir,
+            values,
             blocks,
         }
     }

@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::families::Families;
 use super::groups::{NEARLY, Remaining};
-use super::held_out::{Gains, HeldOut, Whitened};
+use super::held_out::{HeldOut, Whitened};
 use super::orders::{self, Residual};
 use super::products::Products;
 
@@ -44,6 +44,14 @@ pub(super) struct Design<'a> {
     threads: Threads,
 }
 
+/// What the families bring on unseen cells.
+pub(super) struct Gains {
+    pub(super) before_mm: f64,
+    pub(super) after_mm: f64,
+    /// The gain in units of its standard deviation.
+    pub(super) sigmas: f64,
+}
+
 impl<'a> Design<'a> {
     /// Of the samples of a problem that count; `None` where they are too few.
     pub(super) fn new(
@@ -66,15 +74,15 @@ impl<'a> Design<'a> {
         let is_fitted = |term: &Term, coefficient: usize| {
             base_model::belongs(term.effect.about().id) && !term.held.contains(coefficient)
         };
-        let of = |pick: &dyn Fn(&Term, usize) -> bool| -> Vec<(usize, Term, usize)> {
-            let columns = with.columns().enumerate();
-            columns
-                .filter(|(_, (term, k))| pick(term, *k))
-                .map(|(at, (term, k))| (at, term.clone(), k))
-                .collect()
-        };
-        let own = of(&|term, k| !is_probe(term) && is_fitted(term, k));
-        let unit: Vec<usize> = of(&|term, _| is_probe(term)).iter().map(|o| o.0).collect();
+        let mut own = Vec::new();
+        let mut unit = Vec::new();
+        for (k, (term, coefficient)) in with.columns().enumerate() {
+            if is_probe(term) {
+                unit.push(k);
+            } else if is_fitted(term, coefficient) {
+                own.push((k, term.clone(), coefficient));
+            }
+        }
         let directions = all.select_columns(&unit);
         let places: Vec<usize> = own.iter().map(|o| o.0).collect();
         let geometry = all.select_columns(&places);
@@ -126,11 +134,24 @@ impl<'a> Design<'a> {
         let base = kept.len();
         let families = Families::of(&model.robot, &rows.inputs);
         let folds = Folds::over_cells(&rows, model);
+        let with = |all: DMatrix<f64>, y: &DVector<f64>| {
+            let mut all = all.insert_column(base, 0.0);
+            all.set_column(base, y);
+            all
+        };
+        let n = folds.samples().max(1);
+        // Of rows that are independent a whitened one is one in units of its axis's noise.
+        let unit = |row: usize| match noise.is_white() {
+            true => noise.sigma_mm[rows.axes[row / n]],
+            false => 1.0,
+        };
         let whitened = Whitened {
-            raw: raw.map(|raw| beside(raw, &residual)),
-            white: beside(white, &y),
+            raw: raw.map(|raw| with(raw, &residual)),
+            white: with(white, &y),
             base,
-            measured: measured(&rows, noise),
+            measured: (0..m)
+                .map(|row| (row % n, rows.mm(row) * unit(row)))
+                .collect(),
             floor: 0.0,
         };
         let mut design = Self {
@@ -278,9 +299,22 @@ impl<'a> Design<'a> {
             let refined = remaining.refined(&family, strengths.to_vec(), NEARLY)?;
             Some(remaining.solved(&family, &refined)?.coefficients())
         })?;
+        let count = self.rows.lengths().max(1) as f64;
+        let rms = |k: usize| (squares.iter().map(|s| s[k]).sum::<f64>() / count).sqrt();
         // The rows of a pose share what the robot did not repeat: a pose is one witness.
         let poses = ByPose::of(self.rows.inputs.pose.as_deref(), squares.len()).samples();
-        Some(Gains::of(&squares, &poses, self.rows.lengths()))
+        let gained = |i: &usize| squares[*i][0] - squares[*i][1];
+        let of_pose = |own: &Vec<usize>| own.iter().map(gained).sum();
+        let gains: Vec<f64> = poses.iter().map(of_pose).collect();
+        let n = gains.len();
+        let mean = gains.iter().sum::<f64>() / n as f64;
+        let spread = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>();
+        let sigma = (spread / (n * n) as f64).sqrt().max(f64::MIN_POSITIVE);
+        Some(Gains {
+            before_mm: rms(0),
+            after_mm: rms(1),
+            sigmas: mean / sigma,
+        })
     }
 
     /// The terms of a model with these strengths, and what they follow.
@@ -292,26 +326,6 @@ impl<'a> Design<'a> {
         let over = all.filter(|(_, s)| **s > 0.0).map(|(f, _)| f.in_words());
         Some((self.families.terms(own, joints), over.collect()))
     }
-}
-
-/// Columns with a residual behind them.
-fn beside(columns: DMatrix<f64>, residual: &DVector<f64>) -> DMatrix<f64> {
-    let last = columns.ncols();
-    let mut all = columns.insert_column(last, 0.0);
-    all.set_column(last, residual);
-    all
-}
-
-/// Of each row its sample, and one unit of it in mm: of rows that are independent a whitened one is one in units of its
-/// axis's noise.
-fn measured(rows: &Rows, noise: &Noise) -> Vec<(usize, f64)> {
-    let n = rows.samples.len().max(1);
-    let unit = |row: usize| {
-        let sigma = noise.sigma_mm[rows.axes[row / n]];
-        if noise.is_white() { sigma } else { 1.0 }
-    };
-    let all = 0..rows.len();
-    all.map(|row| (row % n, rows.mm(row) * unit(row))).collect()
 }
 
 /// Below this number of rows beyond what the geometry takes nothing is said.

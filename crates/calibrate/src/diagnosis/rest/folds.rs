@@ -3,8 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::SAME;
-use super::columns::Columns;
+use super::columns::{Columns, SAME};
 use crate::text::Text;
 
 /// Parts into which the samples are cut to be held out.
@@ -79,7 +78,7 @@ impl Folds {
 
     /// Folds of which at least two hold samples out, and half of the samples are held out once.
     fn that_say_something(self) -> Option<Self> {
-        let out = self.held_out().count();
+        let out = self.of.iter().flatten().count();
         (self.count > 1 && 2 * out >= self.of.len() && out > 0).then_some(self)
     }
 
@@ -93,8 +92,8 @@ impl Folds {
     }
 
     /// Samples that are held out once.
-    pub(super) fn held_out(&self) -> impl Iterator<Item = usize> {
-        (0..self.of.len()).filter(|sample| self.of[*sample].is_some())
+    pub(super) fn samples(&self) -> usize {
+        self.of.iter().flatten().count()
     }
 }
 

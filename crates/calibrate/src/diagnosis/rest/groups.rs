@@ -15,7 +15,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::products::Products;
-use crate::linear::{gram, inverse_of_lower, solve_lower};
+use crate::linear::{gram, inverse_of_lower};
 
 /// Strengths are refined so often from the beginning …
 const ROUNDS: usize = 40;
@@ -131,7 +131,7 @@ impl Remaining {
     }
 
     /// Of some columns.
-    pub(super) fn only(&self, columns: &[usize]) -> Self {
+    fn only(&self, columns: &[usize]) -> Self {
         Self {
             s: self.s.select_rows(columns).select_columns(columns),
             g: self.g.select_rows(columns),
@@ -159,23 +159,6 @@ impl Remaining {
             yy: left.max(f64::MIN_POSITIVE),
             ..self.clone()
         }
-    }
-
-    /// Once columns with strengths of their own are integrated out: evidence of these, and what remains for the columns
-    /// from a place on.
-    pub(super) fn beside(&self, own: &[usize], first: usize) -> Option<(f64, Self)> {
-        let group: Vec<usize> = (0..own.len()).collect();
-        let those = self.only(own);
-        let strengths = those.refined(&group, those.first(&group, own.len()), ROUNDS)?;
-        let (kept, solved) = those.of_strengths(&group, &strengths)?;
-        let mut rest = self.only(&(first..self.columns()).collect::<Vec<_>>());
-        let cross = DMatrix::from_fn(kept.len(), rest.columns(), |a, b| {
-            solved.root[a] * self.s[(own[kept[a]], first + b)]
-        });
-        rest.g -= cross.tr_mul(&solved.unit);
-        rest.s -= gram(&solve_lower(solved.factor.l_dirty(), cross));
-        rest.yy = solved.left;
-        Some((solved.ln_evidence(), rest))
     }
 
     /// `group` is that of each column.
@@ -285,68 +268,19 @@ impl Remaining {
 mod tests {
     use super::*;
 
-    /// The columns of `tests/reference/groups_of_columns.py`: a base of three, and three groups, with a residual.
+    /// Products of made-up columns of three groups with a residual.
     fn remaining() -> (Remaining, Vec<usize>) {
-        let wild = |i: usize, j: usize| ((i as f64 + 3.0) * (2 * j + 5) as f64 * 0.37).sin();
-        let residual = |i: usize| {
-            wild(i, 3) - 0.4 * wild(i, 7) + 0.3 * wild(i, 1) + 0.5 * (i as f64 * 1.7).sin()
-        };
-        let at = |i, j| if j < 9 { wild(i, j) } else { residual(i) };
-        let all = DMatrix::from_fn(40, 10, at);
+        let group = vec![0, 0, 1, 2, 2, 2];
+        let x = DMatrix::from_fn(40, 6, |i, k| ((i * (k + 2)) as f64 * 0.37 + k as f64).sin());
+        let y = DVector::from_fn(40, |i, _| {
+            x[(i, 0)] - 0.4 * x[(i, 4)] + (i as f64 * 1.7).sin()
+        });
+        let all = x.insert_column(6, 0.0);
+        let mut all = all;
+        all.set_column(6, &y);
         let rows: Vec<usize> = (0..40).collect();
-        let remaining = Remaining::of(&Products::of(&all, 3, &rows, 0.0)).unwrap();
-        (remaining, vec![0, 0, 1, 2, 2, 2])
-    }
-
-    #[test]
-    fn evidence_coefficients_and_their_covariance_are_those_of_scipy() {
-        let file = include_str!("../../../../../tests/reference/groups_of_columns.json");
-        let expected: serde_json::Value = serde_json::from_str(file).unwrap();
-        let (remaining, group) = remaining();
-        let solved = remaining.solved(&group, &[0.3, 0.05, 0.7]).unwrap();
-        let inverse = solved.deviations();
-        let deviation = |k: usize| solved.root[k] * inverse.column(k).norm();
-        let deviations = DVector::from_fn(6, |k, _| deviation(k));
-        for (name, own) in [
-            (
-                "ln_evidence",
-                DVector::from_element(1, solved.ln_evidence()),
-            ),
-            ("coefficients", solved.coefficients()),
-            ("deviations", deviations),
-        ] {
-            let of = |k: usize| expected[name].get(k).unwrap_or(&expected[name]).as_f64();
-            for (k, own) in own.iter().enumerate() {
-                let expected = of(k).unwrap();
-                assert!(
-                    (own - expected).abs() < 1e-7,
-                    "{name} {k}: {own} {expected}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn a_group_that_is_integrated_out_leaves_the_evidence_of_both() {
-        let (remaining, _) = remaining();
-        let (alone, rest) = remaining.beside(&[0, 1], 3).unwrap();
-        let both = rest.solved(&[0, 0, 0], &[0.7]).unwrap().ln_evidence();
-        assert!(
-            (rest.alone() - alone).abs() > 1e-6,
-            "the determinant of the first is its own"
-        );
-        let gained = both - rest.alone();
-        let all = remaining.only(&[0, 1, 3, 4, 5]);
-        let strengths = {
-            let own = remaining.only(&[0, 1]);
-            own.refined(&[0, 1], own.first(&[0, 1], 2), ROUNDS).unwrap()
-        };
-        let strengths = [strengths[0], strengths[1], 0.7];
-        let at_once = all
-            .solved(&[0, 1, 2, 2, 2], &strengths)
-            .unwrap()
-            .ln_evidence();
-        assert!((alone + gained - at_once).abs() < 1e-9);
+        let remaining = Remaining::of(&Products::of(&all, 0, &rows, 0.0)).unwrap();
+        (remaining, group)
     }
 
     #[test]

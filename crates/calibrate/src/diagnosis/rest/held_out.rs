@@ -4,7 +4,6 @@ use nalgebra::{DMatrix, DVector};
 
 use super::groups::Remaining;
 use super::products::Products;
-use super::{BEYOND_DOUBT, LIKELIER};
 use crate::side_by_side::Threads;
 
 /// Rows of the base's columns, of those without a name and of the residual, in this order.
@@ -62,60 +61,6 @@ struct Fold {
     remaining: Remaining,
     /// What the base alone leaves.
     alone: Vec<f64>,
-}
-
-/// What the columns without a name bring on samples that are held out.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Gains {
-    pub(crate) before_mm: f64,
-    pub(crate) after_mm: f64,
-    /// The gain in units of its standard deviation.
-    sigmas: f64,
-}
-
-/// The gain has to be so many times its own standard deviation …
-const SURE: f64 = 2.5;
-/// … or so many where the samples are beyond doubt: of few samples a few that were far off make the gain of all
-/// uncertain …
-const SURE_ENOUGH: f64 = 1.5;
-/// … and this share of the error at least.
-const WORTH: f64 = 0.005;
-
-impl Gains {
-    /// Of the squares of samples, by what is one witness of the robot; of so many lengths.
-    pub(super) fn of(squares: &[[f64; 2]], witnesses: &[Vec<usize>], lengths: usize) -> Self {
-        let rms = |k: usize| {
-            let sum: f64 = squares.iter().map(|s| s[k]).sum();
-            (sum / lengths.max(1) as f64).sqrt()
-        };
-        let gained = |i: &usize| squares[*i][0] - squares[*i][1];
-        let of_witness = |own: &Vec<usize>| own.iter().map(gained).sum();
-        let gains: Vec<f64> = witnesses.iter().map(of_witness).collect();
-        let n = gains.len();
-        let mean = gains.iter().sum::<f64>() / n as f64;
-        let spread = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>();
-        let sigma = (spread / (n * n) as f64).sqrt().max(f64::MIN_POSITIVE);
-        Self {
-            before_mm: rms(0),
-            after_mm: rms(1),
-            sigmas: mean / sigma,
-        }
-    }
-
-    /// Whether they bring something.
-    pub(super) fn is_better(&self) -> bool {
-        self.after_mm < self.before_mm
-    }
-
-    /// Whether they predict, beyond what noise does, where the samples are so much likelier with them, as a logarithm.
-    pub(super) fn predict(&self, ln_odds: f64) -> bool {
-        let sure = if ln_odds > BEYOND_DOUBT {
-            SURE_ENOUGH
-        } else {
-            SURE
-        };
-        ln_odds >= LIKELIER && self.after_mm < (1.0 - WORTH) * self.before_mm && self.sigmas >= sure
-    }
 }
 
 impl<'w> HeldOut<'w> {

@@ -26,25 +26,29 @@ use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::text::Text;
 
-use super::columns::{Block, Columns};
+use super::columns::{Block, Columns, SAME};
 use super::folds::Folds;
 use super::groups::Remaining;
-use super::held_out::{Gains, HeldOut, Whitened};
+use super::held_out::{HeldOut, Whitened};
 use super::kernels::{Fitted, Kernels, Prior};
 use super::products::Products;
-use super::{BEYOND_DOUBT, LIKELIER, MOST_KNOTS, SAME};
+use super::{BEYOND_DOUBT, LIKELIER};
 use crate::side_by_side::Threads;
 
 /// Sides of a direction: what is common to both, and half of the reversal.
 const SIDES: usize = 2;
+/// Most knots of a curve over a range.
+const MOST_KNOTS: usize = 61;
+/// With fewer different values of a joint no curve rivals a name.
+const FEWEST_TO_RIVAL: usize = 10;
 
-/// With fewer different values of a joint there is nothing between which a curve could be drawn (ISO 230-2 asks
-/// for five targets).
-const FEWEST_VALUES: usize = 5;
 /// Most knots over a turn …
 const MOST_IN_A_TURN: usize = 72;
 /// … and over a shorter period.
 const MOST_IN_A_PERIOD: usize = 24;
+/// With fewer different values of the joint there is nothing between which a curve could be drawn (ISO 230-2 asks
+/// for five targets).
+const FEWEST_VALUES: usize = 5;
 /// How often samples that were suspected are looked at again.
 const MOST_ROUNDS: usize = 4;
 /// What repeats over a joint beside a model.
@@ -80,20 +84,20 @@ pub(crate) fn repeating<'a>(
     if fitted.ln_odds() < LIKELIER {
         return None;
     }
-    let ln_odds = fitted.ln_odds();
     let held_out = |folds: Folds| Some((fitted.held_out(&folds)?, folds));
     let by_values = Folds::values(&fitted.columns, joint).and_then(held_out);
     let by_runs = Folds::runs(&fitted.columns).and_then(held_out);
-    let gains = |own: &&(Gains, Folds)| own.0.is_better();
+    let gains = |own: &&([f64; 2], Folds)| own.0[1] < own.0[0];
     // Between targets that are too far apart no curve predicts, and at them the axis comes back all the same.
     let said = by_values.as_ref().filter(gains);
     let said = said.or(by_runs.as_ref().filter(gains));
-    let denied = by_runs.as_ref().is_some_and(|own| !own.0.is_better());
-    let doubted = ln_odds < BEYOND_DOUBT || by_values.is_none() && by_runs.is_none();
+    let seen = |own: &Option<([f64; 2], Folds)>| own.is_some();
+    let denied = by_runs.as_ref().is_some_and(|own| !gains(&own));
+    let doubted = fitted.ln_odds() < BEYOND_DOUBT || !(seen(&by_values) || seen(&by_runs));
     if denied || said.is_none() && doubted {
         return None;
     }
-    let (unseen, folds) = said.or(by_values.as_ref())?;
+    let ([before, after], folds) = said.or(by_values.as_ref())?;
     let curve = fitted.curve()?;
     let identified = Columns::new(&problem, base, joint, is_base);
     let term = Term::unexplained(joint, curve);
@@ -101,19 +105,15 @@ pub(crate) fn repeating<'a>(
     Some(Repeating {
         noise: comes_back.then(|| noise_beside(&problem, &model.with_term(term.clone()), &[])),
         term,
-        held_out_mm: [
-            alone(&identified, folds)?,
-            unseen.before_mm,
-            unseen.after_mm,
-        ],
-        samples: folds.held_out().count(),
+        held_out_mm: [alone(&identified, folds)?, *before, *after],
+        samples: folds.samples(),
         problem,
         how: folds.how.clone(),
-        runs_held_out_mm: by_runs.as_ref().map(|own| own.0.after_mm),
+        runs_held_out_mm: by_runs.as_ref().map(|(gap, _)| gap[1]),
         values_held_out_mm: by_values
             .as_ref()
-            .filter(|own| !own.0.is_better())
-            .map(|own| own.0.after_mm),
+            .filter(|own| !gains(own))
+            .map(|(gap, _)| gap[1]),
     })
 }
 
@@ -182,6 +182,44 @@ fn is_base(term: &Term) -> bool {
     base_model::belongs(term.effect.about().id)
 }
 
+/// A free curve over a joint beside a model.
+pub(crate) struct FreeCurve {
+    /// Logarithm of how much likelier the samples are with it.
+    pub(crate) ln_odds: f64,
+    /// Columns that it is worth.
+    pub(crate) freedom: usize,
+    /// In which direction it is largest: along the motion, the radius, the axis.
+    pub(crate) direction: usize,
+}
+
+/// The likeliest free curve over a joint beside a model, common to both sides, beside a noise: its likelihood is compared
+/// with those of names.
+pub(crate) fn free_curve(
+    problem: &Problem,
+    noise: &Noise,
+    model: &Model,
+    joint: usize,
+) -> Option<FreeCurve> {
+    let columns = Columns::together(problem, noise, model, joint);
+    if columns.values.len() < FEWEST_TO_RIVAL {
+        return None;
+    }
+    let knots = columns.knots(columns.values.len().clamp(4, MOST_KNOTS));
+    let kernels = Kernels::new(knots.count, false)?;
+    let block = &columns.blocks[0];
+    let whitened = block.whitened(&block.curve(&columns, &knots, 1));
+    let remaining = Remaining::of(&whitened.products(&block.measured))?;
+    let (prior, ln_odds) = kernels.likeliest(&remaining)?;
+    let values = kernels.fit(&remaining, &prior)?.values();
+    let size = |direction: &usize| values.rows(direction * knots.count, knots.count).norm();
+    let largest = (0..prior.len()).max_by(|a, b| size(a).total_cmp(&size(b)));
+    Some(FreeCurve {
+        ln_odds,
+        freedom: Kernels::pieces(&prior).ceil() as usize,
+        direction: largest.unwrap_or(0),
+    })
+}
+
 /// The likeliest curve over a joint on some samples, with what it was fitted to.
 struct OverJoint<'a> {
     columns: Columns<'a>,
@@ -238,7 +276,7 @@ impl<'a> OverJoint<'a> {
         let mut best: Option<(Knots, Kernels, Vec<Part>)> = None;
         let ln_odds = |parts: &[Part]| parts.iter().map(Part::ln_odds).sum::<f64>();
         for knots in knots(&columns, turns, period) {
-            let kernels = Kernels::new(knots.count, knots.period.is_some(), false)?;
+            let kernels = Kernels::new(knots.count, knots.period.is_some())?;
             let blocks = columns.blocks.iter();
             let parts = blocks.map(|block| Part::of(&columns, block, &knots).likeliest(&kernels));
             let parts: Vec<Part> = parts.collect::<Option<_>>()?;
@@ -303,9 +341,10 @@ impl<'a> OverJoint<'a> {
         .collect()
     }
 
-    /// What the curve brings on unseen samples. Base, sizes and curve are fitted without them.
-    fn held_out(&self, folds: &Folds) -> Option<Gains> {
-        let mut squares = vec![[0.0; 2]; folds.all()];
+    /// Root mean square deviations of unseen samples without and with the curve, mm. Base, sizes and curve are
+    /// fitted without them.
+    fn held_out(&self, folds: &Folds) -> Option<[f64; 2]> {
+        let mut sums = [0.0; 2];
         for part in &self.parts {
             let curve = |seen: &Remaining| match &part.found {
                 Some((prior, _)) => {
@@ -315,12 +354,12 @@ impl<'a> OverJoint<'a> {
                 None => Some(DVector::zeros(seen.columns())),
             };
             let of_part = held_out(&part.whitened, folds)?.squares(curve)?;
-            for (sum, own) in squares.iter_mut().zip(of_part) {
-                *sum = [sum[0] + own[0], sum[1] + own[1]];
+            for (sum, side) in sums.iter_mut().zip(0..2) {
+                *sum += of_part.iter().map(|own| own[side]).sum::<f64>();
             }
         }
-        let witnesses: Vec<Vec<usize>> = folds.held_out().map(|sample| vec![sample]).collect();
-        Some(Gains::of(&squares, &witnesses, witnesses.len()))
+        let samples = folds.samples().max(1) as f64;
+        Some(sums.map(|sum| (sum / samples).sqrt()))
     }
 }
 
@@ -341,7 +380,7 @@ fn alone(columns: &Columns, folds: &Folds) -> Option<f64> {
         let squares = held_out(&whitened, folds)?.squares(|_| Some(DVector::zeros(0)))?;
         sum += squares.iter().map(|own| own[0]).sum::<f64>();
     }
-    Some((sum / folds.held_out().count().max(1) as f64).sqrt())
+    Some((sum / folds.samples().max(1) as f64).sqrt())
 }
 
 /// Knots over the range, twice as many as there are values, over a turn where the joint goes round, and over a period.

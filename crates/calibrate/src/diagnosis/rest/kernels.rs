@@ -6,11 +6,9 @@
 //!
 //! c: the values of a part of the curve at its knots u, t its size in units of the noise, B its columns and J those of
 //! the base. k is of the Matérn family: of order ½ it may jump, of order 3/2 and 5/2 it is smooth; beside it stands the
-//! infinitely smooth one, a Gaussian. Of what is periodic `|u_i − u_j|` is a chord (Rasmussen & Williams 2006, 4.2). Besides
-//! there are two pulls that grow exponentially towards the ends of the range, with `e^(−u/ℓ)` and `e^((u−1)/ℓ)` as the
-//! columns of L: cables and hoses are bent there, and the farther the stiffer. The condition makes the curve orthogonal to
-//! the base, so that it takes nothing from it (of two pulls it would leave nothing: the base moves beside them): L without
-//! the combinations that would, `L (1 − Q Qᵀ)` with Q a basis of `Lᵀ Bᵀ J`.
+//! infinitely smooth one, a Gaussian. Of what is periodic |u_i − u_j| is a chord (Rasmussen & Williams 2006, 4.2). The
+//! condition makes the curve orthogonal to the base, so that it takes nothing from it: L without the combinations that
+//! would, `L (1 − Q Qᵀ)` with Q a basis of `Lᵀ Bᵀ J`.
 
 use std::f64::consts::PI;
 
@@ -28,10 +26,6 @@ const SMOOTHNESS: [fn(f64) -> f64; 4] = [
     |r| (1.0 + r + r * r / 3.0) * (-r).exp(),
     |r| (-0.5 * r * r).exp(),
 ];
-/// Shares of the range within which a pull at its ends falls to 1/e.
-const PULLS: [f64; LENGTHS.len()] = [0.28, 0.2, 0.14, 0.1, 0.07, 0.05];
-/// Pieces that are enough for the shortest of them.
-const PIECES_OF_PULLS: f64 = 24.0;
 /// Variance of a rough part beside a smooth curve, whose covariance has no factor: some 10⁻⁵ of its size, far
 /// below the noise of a curve that is a thousand times the noise.
 const BESIDE_SMOOTH: f64 = 1e-9;
@@ -51,8 +45,7 @@ pub(super) type Prior = Vec<Option<(usize, f64)>>;
 pub(super) struct Kernels(Vec<DMatrix<f64>>);
 
 impl Kernels {
-    /// `may_pull`: with those that pull at the ends of a range.
-    pub(super) fn new(knots: usize, periodic: bool, may_pull: bool) -> Option<Self> {
+    pub(super) fn new(knots: usize, periodic: bool) -> Option<Self> {
         let steps = if periodic { knots } else { knots - 1 } as f64;
         let apart = |i: usize, j: usize| {
             let d = i.abs_diff(j) as f64 / steps;
@@ -63,86 +56,59 @@ impl Kernels {
             let all = |i, j| correlation(apart(i, j) / length) + rough(i, j);
             Some(DMatrix::from_fn(knots, knots, all).cholesky()?.unpack())
         };
-        let pulls = |length: f64| {
-            let from_end = |row: usize, end: usize| if end == 0 { row } else { knots - 1 - row };
-            let pull = |row, end| (-(from_end(row, end) as f64 / steps) / length).exp();
-            Some(DMatrix::from_fn(knots, 2, pull))
-        };
         let all = SMOOTHNESS.into_iter();
         let all = all.flat_map(|own| LENGTHS.map(|length| root(own, length)));
-        let ends = PULLS.into_iter().filter(|_| may_pull).map(pulls);
-        all.chain(ends).collect::<Option<Vec<_>>>().map(Self)
+        all.collect::<Option<Vec<_>>>().map(Self)
     }
 
-    pub(super) fn knots(&self) -> usize {
+    fn knots(&self) -> usize {
         self.0[0].nrows()
     }
 
     /// About how many straight pieces say as much: three over the shortest length.
     pub(super) fn pieces(prior: &Prior) -> f64 {
-        let pieces = |kernel: usize| match kernel / LENGTHS.len() {
-            order if order < SMOOTHNESS.len() => 3.0 / LENGTHS[kernel % LENGTHS.len()],
-            _ => PIECES_OF_PULLS,
-        };
-        let all = prior.iter().flatten().map(|own| pieces(own.0));
-        all.fold(0.0, f64::max)
+        let all = prior.iter().flatten();
+        all.map(|(kernel, _)| 3.0 / LENGTHS[kernel % LENGTHS.len()])
+            .fold(0.0, f64::max)
     }
 
     /// The next lengths, and the other smoothnesses of the same length.
-    fn beside(&self, kernel: usize) -> impl Iterator<Item = usize> {
+    fn beside(kernel: usize) -> impl Iterator<Item = usize> {
         let lengths = LENGTHS.len();
-        let kinds = self.0.len() / lengths;
         let (order, length) = (kernel / lengths, kernel % lengths);
         let next = [length.wrapping_sub(1), length + 1].into_iter();
         let next = next.filter(move |k| *k < lengths);
-        let orders = (0..kinds).filter(move |k| *k != order);
+        let orders = (0..SMOOTHNESS.len()).filter(move |k| *k != order);
         next.map(move |k| order * lengths + k)
             .chain(orders.map(move |k| k * lengths + length))
     }
 
-    /// `t L (1 − Q Qᵀ)` of the parts, each with its kernel and size.
-    fn combinations(&self, parts: &Remaining, priors: &[(usize, f64)]) -> DMatrix<f64> {
-        let knots = self.knots();
-        let width = priors.iter().map(|own| self.0[own.0].ncols()).sum();
-        let mut l = DMatrix::zeros(parts.columns(), width);
-        let (mut at, mut free) = (0, Vec::new());
-        for (part, (kernel, size)) in priors.iter().enumerate() {
-            let root = &self.0[*kernel];
-            if *kernel >= SMOOTHNESS.len() * LENGTHS.len() {
-                free.extend(at..at + root.ncols());
-            }
-            let mut own = l.view_mut((part * knots, at), root.shape());
-            own.copy_from(&(root * *size));
-            at += root.ncols();
+    /// `t L (1 − Q Qᵀ)` of the parts.
+    fn combinations(&self, remaining: &Remaining, prior: &Prior) -> DMatrix<f64> {
+        let (knots, all) = (self.knots(), remaining.columns());
+        let parts = prior.iter().enumerate();
+        let parts: Vec<_> = parts
+            .filter_map(|(part, own)| Some((part, (*own)?)))
+            .collect();
+        let mut l = DMatrix::zeros(all, parts.len() * knots);
+        for (at, (part, (kernel, size))) in parts.into_iter().enumerate() {
+            let mut own = l.view_mut((part * knots, at * knots), (knots, knots));
+            own.copy_from(&(&self.0[kernel] * size));
         }
-        let mut conditions = l.tr_mul(&parts.common);
-        for k in free {
-            conditions.row_mut(k).fill(0.0);
-        }
-        let q = Basis::new(&conditions).q;
+        let q = Basis::new(&l.tr_mul(&remaining.common)).q;
         let taken = &l * &q;
         l.gemm(-1.0, &taken, &q.transpose(), 1.0);
         l
     }
 
-    /// Columns of a part.
-    fn columns(&self, part: usize) -> std::ops::Range<usize> {
-        part * self.knots()..(part + 1) * self.knots()
-    }
-
     /// The curve with a prior.
     pub(super) fn fit(&self, remaining: &Remaining, prior: &Prior) -> Option<Fitted> {
-        let there = prior.iter().enumerate().filter(|own| own.1.is_some());
-        let columns: Vec<usize> = there.flat_map(|(part, _)| self.columns(part)).collect();
-        let priors: Vec<(usize, f64)> = prior.iter().flatten().copied().collect();
-        let parts = remaining.only(&columns);
-        let combinations = self.combinations(&parts, &priors);
+        let combinations = self.combinations(remaining, prior);
         let none = vec![0; combinations.ncols()];
+        let solved = remaining.through(&combinations).solved(&none, &[1.0])?;
         Some(Fitted {
-            solved: parts.through(&combinations).solved(&none, &[1.0])?,
             combinations,
-            columns,
-            of_all: remaining.columns(),
+            solved,
         })
     }
 
@@ -176,19 +142,22 @@ impl Kernels {
 
     /// The part that alone says most of what the others leave, with its kernel and size.
     fn one_more(&self, left: &Remaining, before: &Prior) -> Option<(usize, (usize, f64))> {
+        let free = (0..before.len()).filter(|part| before[*part].is_none());
+        let all = free.flat_map(|part| (0..self.0.len()).map(move |kernel| (part, kernel)));
         let mut best = None;
         let mut most = left.alone();
-        for part in (0..before.len()).filter(|part| before[*part].is_none()) {
-            let own = left.only(&self.columns(part).collect::<Vec<_>>());
-            for kernel in 0..self.0.len() {
-                let alone = own.through(&self.combinations(&own, &[(kernel, 1.0)]));
-                let none = vec![0; alone.columns()];
-                for size in sizes() {
-                    let solved = alone.solved(&none, &[size * size]);
-                    let here = solved.map(|solved| solved.ln_evidence());
-                    if let Some(here) = here.filter(|here| *here > most) {
-                        (best, most) = (Some((part, (kernel, size))), here);
-                    }
+        for (part, kernel) in all {
+            let mut prior: Prior = vec![None; before.len()];
+            prior[part] = Some((kernel, 1.0));
+            let alone = left.through(&self.combinations(left, &prior));
+            let none = vec![0; alone.columns()];
+            for size in sizes() {
+                let solved = alone.solved(&none, &[size * size]);
+                let Some(here) = solved.map(|solved| solved.ln_evidence()) else {
+                    continue;
+                };
+                if here > most {
+                    (best, most) = (Some((part, (kernel, size))), here);
                 }
             }
         }
@@ -205,7 +174,7 @@ impl Kernels {
                     continue;
                 };
                 let sizes = [step, 1.0 / step].map(|factor| (kernel, size * factor));
-                let others = self.beside(kernel).map(|other| (other, size));
+                let others = Self::beside(kernel).map(|other| (other, size));
                 for own in sizes.into_iter().chain(others) {
                     let mut trial = best.0.clone();
                     trial[part] = Some(own);
@@ -222,55 +191,19 @@ impl Kernels {
 
 /// A curve under a prior.
 pub(super) struct Fitted {
-    solved: Solved,
     combinations: DMatrix<f64>,
-    /// Places of the parts that are there, among those of all.
-    columns: Vec<usize>,
-    of_all: usize,
+    solved: Solved,
 }
 
 impl Fitted {
     /// Values at the knots, part by part; zero where there is no curve.
     pub(super) fn values(&self) -> DVector<f64> {
-        self.placed(&(&self.combinations * self.solved.coefficients()))
+        &self.combinations * self.solved.coefficients()
     }
 
     /// Their standard deviations.
     pub(super) fn sigma(&self) -> DVector<f64> {
         let all = &self.combinations * self.solved.deviations().transpose();
-        self.placed(&DVector::from_fn(all.nrows(), |k, _| all.row(k).norm()))
-    }
-
-    fn placed(&self, own: &DVector<f64>) -> DVector<f64> {
-        let mut all = DVector::zeros(self.of_all);
-        for (place, value) in self.columns.iter().zip(own.iter()) {
-            all[*place] = *value;
-        }
-        all
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// `tests/reference/groups_of_columns.py`.
-    #[test]
-    fn kernels_are_those_of_scikit_learn() {
-        let file = include_str!("../../../../../tests/reference/groups_of_columns.json");
-        let expected: serde_json::Value = serde_json::from_str(file).unwrap();
-        for (kernel, own) in SMOOTHNESS.iter().enumerate() {
-            for k in 0..5 {
-                let at = |name: &serde_json::Value| name[k].as_f64().unwrap();
-                let (distance, expected) = (
-                    at(&expected["distances"]),
-                    at(&expected["correlations"][kernel]),
-                );
-                assert!(
-                    (own(distance) - expected).abs() < 1e-12,
-                    "{kernel} {distance}"
-                );
-            }
-        }
+        DVector::from_fn(all.nrows(), |k, _| all.row(k).norm())
     }
 }

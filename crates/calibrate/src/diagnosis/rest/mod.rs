@@ -4,7 +4,7 @@
 //! out where they predict what they have not seen.
 //!
 //! - `groups`, `products`: how likely groups of columns are, and how strong; `held_out`: what they predict.
-//! - `kernels`, `columns`, `folds`, `joint`: a curve over one joint; `rival`: against names over it.
+//! - `kernels`, `columns`, `folds`, `joint`: a curve over one joint.
 //! - `families`, `orders`, `design`, `arm`: everything that may repeat on an arm.
 
 pub(crate) mod arm;
@@ -18,22 +18,9 @@ pub(crate) mod joint;
 mod kernels;
 mod orders;
 mod products;
-pub(crate) mod rival;
 
 /// The samples have to be so much likelier with what has no name, as a logarithm. Kernels, sizes and parts are chosen, so
 /// that noise alone gains something: `tests/reference/axis_tables.py --kinds noise`.
 const LIKELIER: f64 = 6.0;
 /// So much likelier they are beyond doubt, as a logarithm: no noise does that.
 const BEYOND_DOUBT: f64 = 50.0;
-/// Most knots of a curve over a range.
-const MOST_KNOTS: usize = 61;
-/// Values of a joint closer than this (rad or mm) are the same.
-const SAME: f64 = 1e-6;
-
-/// Different values of a joint, in ascending order.
-fn different(q: &[f64]) -> Vec<f64> {
-    let mut values = q.to_vec();
-    values.sort_by(f64::total_cmp);
-    values.dedup_by(|a, b| (*a - *b).abs() < SAME);
-    values
-}

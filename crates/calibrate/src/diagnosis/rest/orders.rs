@@ -2,14 +2,11 @@
 //! have orders of hundreds of cycles per turn.
 
 use std::borrow::Cow;
-use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::kinematics::{JointKind, Robot};
-use crate::numeric::extent;
-
-use super::different;
+use crate::wide::{Loop, wide};
 
 /// Orders that are looked at, cycles per turn.
 const FROM: f64 = 7.0;
@@ -38,37 +35,32 @@ pub(super) fn strongest(residual: &Residual) -> Option<(usize, f64)> {
     let mut tried = 0.0;
     for (joint, own) in residual.robot.joints.iter().enumerate() {
         let q = &residual.q[joint];
-        if own.kind != JointKind::Revolute || different(q).len() < FEWEST_VALUES {
+        if own.kind != JointKind::Revolute || different(q) < FEWEST_VALUES {
             continue;
         }
         let sums = Sums::of(residual, joint);
-        let [low, high] = extent(q.iter());
-        let step = TAU / (high - low) / STEPS;
+        let low = q.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = q.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let step = std::f64::consts::TAU / (high - low) / STEPS;
         let count = ((TO - FROM) / step).ceil().clamp(1.0, 4000.0);
         tried += count / STEPS;
         let mut peak = (0.0, 0.0);
-        let mut take = |order: f64, gain: f64| {
-            if gain > peak.1 {
-                peak = (order, gain);
-            }
-            peak.0
-        };
-        // Each wave from the last by a turn.
-        let mut waves = waves(q, FROM);
-        let turns: Vec<[f64; 2]> = self::waves(q, step);
+        let mut waves = Waves::new(q, FROM, step);
         for k in 0..count as usize {
-            take(FROM + k as f64 * step, sums.gain(&waves));
-            for ([sin, cos], [by_sin, by_cos]) in waves.iter_mut().zip(&turns) {
-                let (s, c) = (*sin, *cos);
-                *sin = s * by_cos + c * by_sin;
-                *cos = c * by_cos - s * by_sin;
+            let gain = sums.gain(&waves.sin, &waves.cos);
+            if gain > peak.1 {
+                peak = (FROM + k as f64 * step, gain);
             }
+            waves.next();
         }
         let mut by = 0.5 * step;
         for _ in 0..5 {
-            let here = take(0.0, 0.0);
-            for order in [here - by, here + by] {
-                take(order, sums.gain(&self::waves(q, order)));
+            for order in [peak.0 - by, peak.0 + by] {
+                let waves = Waves::new(q, order, 0.0);
+                let gain = sums.gain(&waves.sin, &waves.cos);
+                if gain > peak.1 {
+                    peak = (order, gain);
+                }
             }
             by *= 0.5;
         }
@@ -80,35 +72,41 @@ pub(super) fn strongest(residual: &Residual) -> Option<(usize, f64)> {
     (0.5 * gain / residual.variance > f64::ln(tried.max(1.0)) + LIKELIER).then_some((joint, order))
 }
 
-/// Sine and cosine of an order at each sample.
-fn waves(q: &[f64], order: f64) -> Vec<[f64; 2]> {
-    q.iter().map(|q| (order * q).sin_cos().into()).collect()
+fn different(q: &[f64]) -> usize {
+    let mut sorted = q.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
+    sorted.len()
 }
 
 /// Of each sample: a turn's product with what is left, and with itself.
-struct Sums(Vec<[f64; 2]>);
+struct Sums {
+    with_left: Vec<f64>,
+    with_itself: Vec<f64>,
+}
 
 impl Sums {
     fn of(residual: &Residual, joint: usize) -> Self {
         let n = residual.q[joint].len();
-        let mut sums = vec![[0.0; 2]; n];
+        let (mut with_left, mut with_itself) = (vec![0.0; n], vec![0.0; n]);
         for (row, unit) in residual.units.column(joint).iter().enumerate() {
-            sums[row % n][0] += unit * residual.left[row];
-            sums[row % n][1] += unit * unit;
+            with_left[row % n] += unit * residual.left[row];
+            with_itself[row % n] += unit * unit;
         }
-        Self(sums)
+        Self {
+            with_left,
+            with_itself,
+        }
     }
 
     /// By how much these sines and cosines lower the sum of squares.
-    fn gain(&self, waves: &[[f64; 2]]) -> f64 {
-        let mut sums = [0.0; 5];
-        for ([left, own], [s, c]) in self.0.iter().zip(waves) {
-            let products = [left * s, left * c, own * s * s, own * s * c, own * c * c];
-            for (sum, product) in sums.iter_mut().zip(products) {
-                *sum += product;
-            }
-        }
-        let [a, b, aa, ab, bb] = sums;
+    fn gain(&self, sin: &[f64], cos: &[f64]) -> f64 {
+        let sums = wide(Summing {
+            sums: self,
+            sin,
+            cos,
+        });
+        let [a, b, aa, ab, bb] = sums.map(|lanes| lanes.iter().sum::<f64>());
         let determinant = aa * bb - ab * ab;
         if determinant <= 1e-6 * aa * bb {
             return 0.0;
@@ -117,44 +115,136 @@ impl Sums {
     }
 }
 
+/// The products of a wave with what is left and with itself.
+struct Summing<'s> {
+    sums: &'s Sums,
+    sin: &'s [f64],
+    cos: &'s [f64],
+}
+
+impl Loop for Summing<'_> {
+    type Output = [[f64; LANES]; 5];
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) -> [[f64; LANES]; 5] {
+        let (left, own) = (&self.sums.with_left, &self.sums.with_itself);
+        let n = left.len().min(self.sin.len());
+        let mut sums = [[0.0; LANES]; 5];
+        let mut at = 0;
+        while at + LANES <= n {
+            let some = at..at + LANES;
+            let waves = [&self.sin[some.clone()], &self.cos[some.clone()]];
+            sums = with_waves(sums, [&left[some.clone()], &own[some]], waves);
+            at += LANES;
+        }
+        if at < n {
+            let pad = |all: &[f64]| -> [f64; LANES] {
+                std::array::from_fn(|k| all.get(at + k).copied().unwrap_or(0.0))
+            };
+            let waves = [&pad(self.sin)[..], &pad(self.cos)];
+            sums = with_waves(sums, [&pad(left), &pad(own)], waves);
+        }
+        sums
+    }
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "see Loop")]
+fn with_waves(
+    [a, b, aa, ab, bb]: [[f64; LANES]; 5],
+    [left, own]: [&[f64]; 2],
+    [s, c]: [&[f64]; 2],
+) -> [[f64; LANES]; 5] {
+    [
+        std::array::from_fn(|k| a[k] + left[k] * s[k]),
+        std::array::from_fn(|k| b[k] + left[k] * c[k]),
+        std::array::from_fn(|k| aa[k] + own[k] * s[k] * s[k]),
+        std::array::from_fn(|k| ab[k] + own[k] * s[k] * c[k]),
+        std::array::from_fn(|k| bb[k] + own[k] * c[k] * c[k]),
+    ]
+}
+
+/// Sums that run side by side.
+const LANES: usize = 8;
+
+/// Sines and cosines of one order after the other, each from the last by a turn.
+struct Waves {
+    sin: Vec<f64>,
+    cos: Vec<f64>,
+    by_sin: Vec<f64>,
+    by_cos: Vec<f64>,
+}
+
+impl Waves {
+    fn new(q: &[f64], order: f64, step: f64) -> Self {
+        let of = |order: f64| q.iter().map(|q| (order * q).sin_cos()).unzip();
+        let (sin, cos) = of(order);
+        let (by_sin, by_cos) = of(step);
+        Self {
+            sin,
+            cos,
+            by_sin,
+            by_cos,
+        }
+    }
+
+    fn next(&mut self) {
+        wide(Turning { waves: self });
+    }
+}
+
+struct Turning<'w> {
+    waves: &'w mut Waves,
+}
+
+impl Loop for Turning<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let Waves {
+            sin,
+            cos,
+            by_sin,
+            by_cos,
+        } = self.waves;
+        let waves = sin.iter_mut().zip(cos);
+        for ((sin, cos), (by_sin, by_cos)) in waves.zip(by_sin.iter().zip(by_cos.iter())) {
+            let (s, c) = (*sin, *cos);
+            *sin = s * by_cos + c * by_sin;
+            *cos = c * by_cos - s * by_sin;
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::example::unrepeated;
 
     #[test]
-    fn an_order_between_whole_numbers_is_found_and_noise_has_none() {
-        let robot = unrepeated(0.0, 1).robot;
-        let wild = |k: usize, by: f64| (k as f64 * by).fract() * 4.0 - 2.0;
-        let steps = [
-            0.754_877_666,
-            0.569_840_291,
-            0.438_579_1,
-            0.342_1,
-            0.271_3,
-            0.219_7,
-        ];
-        let q: Vec<Cow<[f64]>> = steps[..robot.joints.len()]
-            .iter()
-            .map(|by| Cow::Owned((0..200).map(|k| wild(k, *by)).collect()))
-            .collect();
-        let units = DMatrix::from_element(200, robot.joints.len(), 1.0);
-        let found = |amplitude: f64| {
-            let left = DVector::from_fn(200, |k, _| {
-                let noise = (((k + 3) * (k + 7)) as f64 * 0.37).sin();
-                amplitude * (80.5 * q[1][k] + 0.3).sin() + noise
-            });
-            strongest(&Residual {
-                robot: &robot,
-                q: &q,
-                units: &units,
-                left: &left,
-                variance: 0.5,
-            })
-        };
-        let (joint, order) = found(1.0).unwrap();
-        assert_eq!(joint, 1);
-        assert!((order - 80.5).abs() < 0.1, "{order}");
-        assert_eq!(found(0.0), None);
+    fn waves_and_their_sums_have_the_same_bits_in_wide_vectors() {
+        for n in [3, 8, 61] {
+            let wild = |k: usize| (0..n).map(move |i| ((i * 7 + k * 13) as f64 * 0.37).sin());
+            let q: Vec<f64> = wild(0).collect();
+            let sums = &Sums {
+                with_left: wild(1).collect(),
+                with_itself: wild(2).map(f64::abs).collect(),
+            };
+            let mut waves = Waves::new(&q, 7.0, 0.3);
+            let mut narrow = Waves::new(&q, 7.0, 0.3);
+            waves.next();
+            Turning { waves: &mut narrow }.run();
+            assert_eq!((&waves.sin, &waves.cos), (&narrow.sin, &narrow.cos));
+            let apart = waves.sin.iter().zip(&q);
+            let apart = apart.map(|(sin, q)| (sin - (7.3 * q).sin()).abs());
+            assert!(apart.fold(0.0, f64::max) < 1e-12);
+            let (sin, cos) = (&waves.sin[..], &waves.cos[..]);
+            let all = wide(Summing { sums, sin, cos });
+            assert_eq!(all, Summing { sums, sin, cos }.run());
+            let one: f64 = (0..n).map(|k| sums.with_left[k] * sin[k]).sum();
+            assert!((all[0].iter().sum::<f64>() - one).abs() < 1e-12);
+        }
     }
 }

@@ -42,8 +42,7 @@ pub(crate) fn tested(
             .folds
             .surely_predict(regression, &fit, &terms, &rests);
         let worths = terms.iter().zip(useful);
-        let worths =
-            worths.map(|(term, useful)| (worth(&prepared.regression, &fit, term), *term, useful));
+        let worths = worths.map(|(term, useful)| (worth(prepared, &fit, term), *term, useful));
         let mut worths: Vec<_> = worths.collect();
         // The first that does not carry itself is the worst of them: nothing is asked of the others.
         worths.sort_by(|a, b| a.0.ln_odds.total_cmp(&b.0.ln_odds));
@@ -169,7 +168,7 @@ pub(crate) fn self_supporting(prepared: &PreparedSearch, fit: Fit) -> Option<Fit
 fn one_exchanged(prepared: &PreparedSearch, fit: &Fit) -> Option<Fit> {
     let regression = &prepared.regression;
     let likelier = regression.added(fit).into_iter().filter_map(|term| {
-        let worth = worth(&prepared.regression, fit, term);
+        let worth = worth(prepared, fit, term);
         Next::than(prepared, fit, term, &worth)?.fit
     });
     let best = likelier.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence))?;

@@ -2,14 +2,18 @@
 //! chirp can be made up of enough harmonics, a pull of cables at both ends of the range is scale, eccentricity and
 //! two-cycle together, and none of them is any of these.
 //!
-//! The curve is a Gaussian process along the joint's motion, along its radius and along its axis; names are groups of
-//! columns as it is one, and the restricted likelihood of both is compared ([`crate::diagnosis::rest`]). Where it is
-//! likelier without names, the names that only make it up are withdrawn.
+//! The curve is a Gaussian process along the joint's motion, along its radius and along its axis
+//! ([`crate::diagnosis::rest`]); its likelihood, with the curve integrated out, stands beside that of the
+//! names. Where it is likelier without names, the names that only make it up are withdrawn.
 
 use std::collections::BTreeMap;
 
+use nalgebra::DMatrix;
+
+use crate::decompose::eigen;
 use crate::effects::survey::ENOUGH;
 use crate::effects::{Over, Setting, Term};
+use crate::linear::reject_all;
 use crate::model::Model;
 
 use super::found::SearchResult;
@@ -19,84 +23,137 @@ use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::rival::UNDECIDED;
-use crate::diagnosis::rest::rival::{Contest, FreeCurve};
+use crate::diagnosis::rest::joint::free_curve;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// What the curve pays: as a name for being there, and a factor of e for each of its numbers (length,
 /// size, roughness). Names are as many as they are; no further preference is needed.
 const PRICE: f64 = EFFECT_PRIOR_PENALTY + 3.0;
+/// The names that a curve may stand for are at least so many columns: fewer are simpler than a curve.
+const FEWEST_COLUMNS: usize = 3;
 /// So many names are as much as a curve, where neither can be ruled out.
 const FEWEST_NAMES: usize = 3;
 /// Waves over the range from which on a name is not smooth.
 const FEW_WAVES: f64 = 3.0;
 /// Pieces of the curve that takes the names' place in the fit, at most.
 const MOST_PIECES: usize = 60;
-/// … and at least.
-const FEWEST_PIECES: usize = 2;
+/// Shares of the range within which a pull at its ends falls to 1/e: cables and hoses are bent there, and the farther
+/// the stiffer.
+const PULLS: [f64; 6] = [0.05, 0.07, 0.1, 0.14, 0.2, 0.28];
+/// Pieces that are enough for the shortest of them.
+const PIECES_OF_PULLS: usize = 24;
 
-/// Some of the names over a joint, with the likeliest curve over it where that is worth its price.
+/// A model with the likeliest curve over a joint beside it, or with none.
 struct BesideCurve {
-    /// Logarithm of how likely the samples are, beside the same base as other sets of these names.
     ln_evidence: f64,
-    curve: Option<FreeCurve>,
+    fit: Fit,
+    curve: Option<Curve>,
+}
+
+/// A curve over a joint.
+struct Curve {
+    /// How much likelier the samples are with it, as a logarithm.
+    ln_odds: f64,
+    /// Pieces of a polygon that says as much.
+    pieces: usize,
+    /// Where it pushes most.
+    direction: Direction,
 }
 
 impl BesideCurve {
-    fn of(prepared: &PreparedSearch, contest: &Contest, names: &[Term], kept: &[Term]) -> Self {
-        let is_kept = |k: usize| kept.iter().any(|t| t.same_column(&names[k]));
-        let Some(standing) = contest.standing(is_kept) else {
-            return Self {
-                ln_evidence: f64::NEG_INFINITY,
-                curve: None,
-            };
+    fn of(prepared: &PreparedSearch, model: &Model, shapes: &[Placed], joint: usize) -> Self {
+        let fit = prepared.regression.fit(model, shapes);
+        let across = &prepared.regression.table.space.across;
+        let direction = |k: usize| {
+            let own = [
+                [Direction::Radial, Direction::Across(0)],
+                [Direction::Axial, Direction::Across(1)],
+            ];
+            let own = k.checked_sub(1).map(|k| own[k]);
+            let measured = across.iter().map(|across| across.0);
+            let mut measured = measured.filter(|is| own.is_some_and(|own| own.contains(is)));
+            measured.next().unwrap_or(Direction::Tangential(joint))
         };
-        let curve = standing.curve.filter(|curve| curve.ln_odds > PRICE);
-        let price = |t: &Term| EFFECT_PRIOR_PENALTY + prepared.regression.price_of_term(t);
-        let prices: f64 = kept.iter().map(price).sum();
+        let regression = &prepared.regression;
+        let curve = free_curve(&regression.problem, &regression.noise, model, joint);
+        let curve = curve.map(|curve| Curve {
+            ln_odds: curve.ln_odds,
+            pieces: curve.freedom.clamp(4, MOST_PIECES),
+            direction: direction(curve.direction),
+        });
+        let single = prepared.survey.joints.len() == 1;
+        let ends = single.then(|| pulled_at_its_ends(&prepared.regression, &fit, joint));
+        let likelier = curve.into_iter().chain(ends.flatten());
+        let curve = likelier
+            .max_by(|a, b| a.ln_odds.total_cmp(&b.ln_odds))
+            .filter(|curve| curve.ln_odds > PRICE);
+        let own = curve.as_ref().map_or(0.0, |curve| curve.ln_odds - PRICE);
         Self {
-            ln_evidence: standing.ln_evidence - prices + worth(curve.as_ref()),
+            ln_evidence: fit.ln_evidence + own,
             curve,
+            fit,
         }
     }
 
-    /// The fit of a model and shapes with the curve as a shape more.
-    fn into_fit(self, prepared: &PreparedSearch, model: &Model, kept: &[Placed], at: usize) -> Fit {
-        let rest = prepared.regression.fit(model, kept);
-        let Some(curve) = self.curve else {
-            return rest;
-        };
-        let across = &prepared.regression.table.space.across;
-        let own = [
-            [Direction::Radial, Direction::Across(0)],
-            [Direction::Axial, Direction::Across(1)],
-        ];
-        let own = curve.direction.checked_sub(1).map(|k| own[k]);
-        let mut measured = across.iter().map(|across| across.0);
-        let direction = measured.find(|is| own.is_some_and(|own| own.contains(is)));
-        let direction = direction.unwrap_or(Direction::Tangential(at));
-        // Between neighbouring values more pieces say nothing.
-        let most = match prepared.survey.joints[at].values {
-            few if few < ENOUGH => few.saturating_sub(1),
-            _ => MOST_PIECES,
-        };
-        let shape = over(at, direction, curve.pieces.min(most).max(FEWEST_PIECES));
-        let ln_evidence = rest.ln_evidence + worth(Some(&curve));
-        with_curve(&prepared.regression, &rest, shape, ln_evidence)
+    /// The fit with the curve as a shape.
+    fn into_fit(self, prepared: &PreparedSearch, joint: usize) -> Fit {
+        match self.curve {
+            Some(curve) => {
+                let shape = over(joint, curve.direction, curve.pieces);
+                with_curve(&prepared.regression, &self.fit, shape, self.ln_evidence)
+            }
+            None => self.fit,
+        }
     }
 }
 
-fn worth(curve: Option<&FreeCurve>) -> f64 {
-    curve.map_or(0.0, |curve| curve.ln_odds - PRICE)
-}
-
-fn contest(
-    prepared: &PreparedSearch,
-    model: &Model,
-    joint: usize,
-    names: &[Term],
-) -> Option<Contest> {
-    let regression = &prepared.regression;
-    Contest::new(&regression.problem, &regression.noise, model, joint, names)
+/// How much likelier the samples are, as a logarithm, with two pulls along the joint's motion that grow exponentially
+/// towards the ends of its range, of independent sizes t in units of the noise.
+/// With B their columns beside the fit and r what that leaves,
+///
+/// ```text
+/// ln E = −½ Σ ln(1 + t² e_k) − (m/2) ln(1 − Σ t² z_k²/(1 + t² e_k) / rss),   e, U: eigen of BᵀB,   z = Uᵀ Bᵀ r
+/// ```
+fn pulled_at_its_ends(regression: &Regression, rest: &Fit, joint: usize) -> Option<Curve> {
+    let direction = Direction::Tangential(joint);
+    let free = regression.placed(over(joint, direction, MOST_PIECES)).white;
+    // One unit of the curve moves a sample by one unit of its noise, in the mean.
+    let samples = regression.rows.samples.len().max(1) as f64;
+    let unit = free.column_sum().norm_squared().max(free.norm_squared()) / samples;
+    let (total, m) = (regression.rounded(rest.rss), regression.m());
+    let of_length = |length: f64| {
+        let root = DMatrix::from_fn(MOST_PIECES + 1, 2, |row, end| {
+            let from_low = row as f64 / MOST_PIECES as f64;
+            let away = if end == 0 { from_low } else { 1.0 - from_low };
+            (-away / length).exp()
+        });
+        let mut columns = &*free * root / unit.sqrt();
+        reject_all(&rest.basis.q, &mut columns);
+        let own = eigen(columns.tr_mul(&columns));
+        let z = own.eigenvectors.tr_mul(&columns.tr_mul(&rest.residual));
+        let of_size = |size: f64| {
+            let t2 = size * size;
+            let (mut determinant, mut gain) = (0.0, 0.0);
+            for (e, z) in own.eigenvalues.iter().zip(&z) {
+                let wider = 1.0 + t2 * e.max(0.0);
+                determinant += wider.ln();
+                gain += t2 * z * z / wider;
+            }
+            let share = (gain / total.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
+            -0.5 * determinant - 0.5 * m * (-share).ln_1p()
+        };
+        let sizes = (0..15).map(|k| of_size(0.2 * 2.0_f64.powi(k)));
+        sizes.fold(f64::NEG_INFINITY, f64::max)
+    };
+    let best = PULLS
+        .map(of_length)
+        .into_iter()
+        .fold(f64::NEG_INFINITY, f64::max);
+    (unit > 0.0).then_some(Curve {
+        ln_odds: best,
+        pieces: PIECES_OF_PULLS,
+        direction,
+    })
 }
 
 /// A polygon over a joint.
@@ -138,47 +195,72 @@ fn slow(prepared: &PreparedSearch, names: &[Term], joint: usize) -> Vec<Term> {
     names.iter().filter(is_slow).cloned().collect()
 }
 
-/// Holds a free curve over each joint against all names over it, and over the only joint against the slow ones and each
-/// besides, the curve beside the others. Where the samples are likelier without them they are taken out: what repeats is
-/// in the model with or without a name, and a name has to beat it.
-pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult) {
+/// Holds a free curve over each joint against all names over it, over the only joint against the slow ones too; or
+/// `one_by_one`, over the only joint, against each besides, the curve beside the others. Where the samples are likelier
+/// without them they are taken out: what repeats is in the model with or without a name, and a name has to beat it.
+pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_one: bool) {
     // What wanders is held against the names elsewhere.
     let single = prepared.survey.joints.len() == 1 && prepared.regression.noise.slow.is_none();
+    if one_by_one && !single {
+        return;
+    }
     for joint in 0..prepared.survey.joints.len() {
-        let (names, shapes) = over_joint(prepared, &found.fit, joint);
-        if names.is_empty() {
-            continue;
+        let (mut names, kept) = over_joint(prepared, &found.fit, joint);
+        let has_shape = kept.len() < found.fit.shapes.len();
+        let beside = |model: &Model| BesideCurve::of(prepared, model, &kept, joint);
+        let mut most = found.fit.ln_evidence;
+        if one_by_one && !names.is_empty() {
+            most = most.max(beside(&found.fit.model).ln_evidence);
         }
-        let Some(contest) = contest(prepared, &found.fit.model, joint, &names) else {
-            continue;
-        };
-        let beside = |kept: &[Term]| BesideCurve::of(prepared, &contest, &names, kept);
-        let mut kept = names.clone();
-        let mut most = beside(&kept);
-        while !kept.is_empty() {
-            let mut sets = vec![kept.clone()];
-            if single {
-                sets.push(slow(prepared, &kept, joint));
-                sets.extend(kept.iter().map(|name| vec![name.clone()]));
+        let mut model = found.fit.model.clone();
+        let mut likeliest = None;
+        while !names.is_empty() {
+            let mut sets = Vec::new();
+            if has_shape || columns(&names) >= FEWEST_COLUMNS {
+                sets.push(names.clone());
             }
-            let rests = sets.into_iter().map(|set| {
-                let is_in = |name: &Term| set.iter().any(|t| t.same_column(name));
-                kept.iter().filter(|name| !is_in(name)).cloned().collect()
-            });
-            let rests = rests.map(|rest: Vec<Term>| (beside(&rest), rest));
+            if single {
+                let slow = slow(prepared, &names, joint);
+                sets.extend((columns(&slow) >= FEWEST_COLUMNS).then_some(slow));
+            }
+            if one_by_one {
+                sets.extend(names.iter().map(|name| vec![name.clone()]));
+            }
+            let rests = sets.into_iter().map(|set| without(&model, &set));
+            let rests = rests.map(|model| (beside(&model), model));
             let best = rests.max_by(|a, b| a.0.ln_evidence.total_cmp(&b.0.ln_evidence));
-            let Some(likelier) = best.filter(|best| best.0.ln_evidence > most.ln_evidence) else {
+            let Some((rest, fewer)) = best.filter(|best| best.0.ln_evidence > most) else {
                 break;
             };
-            (most, kept) = likelier;
+            (most, model) = (rest.ln_evidence, fewer);
+            names.retain(|name| model.terms().iter().any(|t| t.same_column(name)));
+            likeliest = Some(rest);
         }
-        if kept.len() < names.len() {
-            let gone: Vec<Term> = names
-                .into_iter()
-                .filter(|name| !kept.iter().any(|t| t.same_column(name)))
-                .collect();
-            let model = without(&found.fit.model, &gone);
-            found.fit = most.into_fit(prepared, &model, &shapes, joint);
+        if let Some(likeliest) = likeliest {
+            found.fit = likeliest.into_fit(prepared, joint);
+        }
+    }
+}
+
+/// Takes names over a joint out that stand beside a shape over it, where zero offset, names and shape have more numbers
+/// than half of the values at which it was measured: the residuals at these cannot contradict them, however often each
+/// was visited. (Evidence counts every visit, so that it does not show that.)
+pub(crate) fn withdraw_of_few_values(prepared: &PreparedSearch, found: &mut SearchResult) {
+    for (joint, survey) in prepared.survey.joints.iter().enumerate() {
+        let (names, kept) = over_joint(prepared, &found.fit, joint);
+        let own = |s: &&Placed| s.shape.variable == Variable::Joint(joint);
+        let shapes = found
+            .fit
+            .shapes
+            .iter()
+            .filter(own)
+            .map(|s| &s.shape.profile);
+        let of_shapes: usize = shapes.map(|s| s.count() + s.settings()).sum();
+        let numbers = 1 + columns(&names) + of_shapes;
+        if of_shapes > 0 && !names.is_empty() && survey.values < ENOUGH.min(2 * numbers) {
+            let rest = without(&found.fit.model, &names);
+            let rest = BesideCurve::of(prepared, &rest, &kept, joint);
+            found.fit = rest.into_fit(prepared, joint);
         }
     }
 }
@@ -189,8 +271,8 @@ pub(crate) fn as_likely(prepared: &PreparedSearch, fit: &Fit) -> Option<(usize, 
         let (names, kept) = over_joint(prepared, fit, joint);
         let names = slow(prepared, &names, joint);
         let is_open = names.len() >= FEWEST_NAMES && kept.len() == fit.shapes.len();
-        let odds = is_open.then(|| ln_odds(prepared, fit, joint, &names));
-        odds.flatten().map(|odds| (odds, (joint, names)))
+        let odds = || ln_odds(prepared, fit, joint, &names);
+        is_open.then(odds).map(|odds| (odds, (joint, names)))
     };
     let all = (0..prepared.survey.joints.len()).filter_map(of_joint);
     let likely = all.filter(|own| own.0 > -UNDECIDED);
@@ -199,11 +281,17 @@ pub(crate) fn as_likely(prepared: &PreparedSearch, fit: &Fit) -> Option<(usize, 
 }
 
 /// How much likelier the samples are with a curve over a joint in the place of names, as a logarithm.
-fn ln_odds(prepared: &PreparedSearch, fit: &Fit, joint: usize, names: &[Term]) -> Option<f64> {
-    let contest = contest(prepared, &fit.model, joint, names)?;
-    let with = |kept: &[Term]| BesideCurve::of(prepared, &contest, names, kept);
-    let (curve, names) = (with(&[]), with(names));
-    Some(curve.ln_evidence - names.ln_evidence + worth(names.curve.as_ref()))
+fn ln_odds(prepared: &PreparedSearch, fit: &Fit, joint: usize, names: &[Term]) -> f64 {
+    let model = without(&fit.model, names);
+    BesideCurve::of(prepared, &model, &fit.shapes, joint).ln_evidence - fit.ln_evidence
+}
+
+/// Numbers that names have: coefficients and settings.
+fn columns(names: &[Term]) -> usize {
+    names
+        .iter()
+        .map(|t| t.coefficients.len() + settings(t))
+        .sum()
 }
 
 /// The free curve that takes the place of a slow part of the noise, beside the names that do not
@@ -219,17 +307,10 @@ pub(crate) fn instead_of_slow(
     for joint in (0..white.survey.joints.len()).filter(|joint| may_be_over(*joint)) {
         let (names, _) = over_joint(white, &found.fit, joint);
         let model = without(&found.fit.model, &names);
-        let Some(contest) = contest(white, &model, joint, &[]) else {
-            continue;
-        };
-        let beside = BesideCurve::of(white, &contest, &[], &[]);
-        if beside.curve.is_none() {
-            continue;
-        }
-        let fit = beside.into_fit(white, &model, &[], joint);
+        let beside = BesideCurve::of(white, &model, &[], joint);
         let before = best.as_ref().unwrap_or(&found.fit).ln_evidence;
-        if fit.ln_evidence > before {
-            best = Some(fit);
+        if beside.curve.is_some() && beside.ln_evidence > before {
+            best = Some(beside.into_fit(white, joint));
         }
     }
     let names = || regression.fit(&found.named_effects_only.model, &[]);
@@ -272,6 +353,10 @@ pub(crate) fn comes_back(prepared: &PreparedSearch, joint: usize) -> bool {
 fn follows_only(term: &Term, joint: usize) -> bool {
     let about = term.effect.about();
     about.over == Over::Angle && (term.joint == joint || !about.per_joint)
+}
+
+fn settings(term: &Term) -> usize {
+    usize::from(crate::effects::term::setting_quantity(term.effect.about().setting).is_some())
 }
 
 fn with_curve(regression: &Regression, rest: &Fit, curve: Shape, ln_evidence: f64) -> Fit {
@@ -379,7 +464,7 @@ mod tests {
         }
         let (names, _) = over_joint(&prepared, &fit, 0);
         assert_eq!(names.len(), 3);
-        ln_odds(&prepared, &fit, 0, &names).unwrap()
+        ln_odds(&prepared, &fit, 0, &names)
     }
 
     #[test]
@@ -391,10 +476,8 @@ mod tests {
             samples.z_mm.as_mut().unwrap()[k] += up;
         }
         let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
-        let base = &prepared.regression.base;
-        let contest = contest(&prepared, base, 0, &[]).unwrap();
-        let beside = BesideCurve::of(&prepared, &contest, &[], &[]);
-        let fit = beside.into_fit(&prepared, base, &[], 0);
+        let beside = BesideCurve::of(&prepared, &prepared.regression.base, &[], 0);
+        let fit = beside.into_fit(&prepared, 0);
         assert_eq!(fit.shapes[0].shape.direction, Direction::Axial);
     }
 

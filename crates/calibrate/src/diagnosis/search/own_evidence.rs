@@ -5,26 +5,91 @@
 //! as well, were it not held. So every name is tested once more with the geometry known ten times less well. What
 //! is left of it has to be as improbable by chance as before.
 
+use nalgebra::DMatrix;
+
 use super::forward::CHANCE_OF_A_STEP;
 use super::prepare::PreparedSearch;
-use super::worth::worth;
 use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::Significance;
 use crate::effects::Term;
+use crate::linear::Basis;
 
-/// So many times less is taken to be known of the geometry: no robot is ten times as far off as others are.
-const LESS: f64 = 10.0;
+/// How much less is taken to be known of the geometry: no robot is ten times as far off as others are.
+const LESS: f64 = 0.1;
 
 /// The name, of those of a fit, for which the samples themselves speak least, where they do not speak for it.
 pub(super) fn least_proven(prepared: &PreparedSearch, fit: &Fit) -> Option<Term> {
     let regression = &prepared.regression;
+    let priors = regression.prior_rows();
     let terms = regression.added(fit);
-    if regression.prior_rows().is_empty() || terms.is_empty() {
+    if priors.is_empty() || terms.is_empty() {
         return None;
     }
-    let open = regression.with_less_known(LESS);
-    let fitted = open.fit(&fit.model, &fit.shapes);
-    let proven = |term: &Term| worth(&open, &fitted, term).minus_ln_p;
-    let all = terms.into_iter().map(|term| (proven(term), term));
-    let (least, term) = all.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    (regression.chance_in_noise(least, fit) > CHANCE_OF_A_STEP).then(|| term.clone())
+    let (raw, columns) = regression.raw(&fit.model);
+    let (mut residual, mut all) = regression.whitened(&fit.model, &raw, columns);
+    for row in priors {
+        residual[row] *= LESS;
+        all.row_mut(row).scale_mut(LESS);
+    }
+    let own = all.ncols();
+    let width = own + fit.shapes.iter().map(|s| s.white.ncols()).sum::<usize>();
+    let mut all = all.resize_horizontally(width, 0.0);
+    let mut at = own;
+    for shape in &fit.shapes {
+        let size = shape.white.ncols();
+        all.columns_mut(at, size).copy_from(&*shape.white);
+        residual -= &*shape.white * &shape.coefficients;
+        at += size;
+    }
+    let whole = Basis::new(&all);
+    let with = whole.reject(&residual).norm_squared();
+    let freedom = (regression.m() - whole.rank() as f64).max(2.0);
+    let coefficients = fit.model.coefficients();
+    let mut least: Option<(f64, Term)> = None;
+    let mut first = 0;
+    for term in fit.model.terms() {
+        let size = term.coefficients.len();
+        if terms.iter().any(|t| t.same_column(term)) {
+            // −ln p of some columns: of the term alone, and of what is proven together with it.
+            let of = |own: &[usize]| {
+                let kept: Vec<usize> = (0..width).filter(|k| !own.contains(k)).collect();
+                let rest: DMatrix<f64> = all.select_columns(&kept);
+                let mut left = residual.clone();
+                for k in own {
+                    left.axpy(coefficients[*k], &all.column(*k), 1.0);
+                }
+                let basis = Basis::new(&rest);
+                let without = basis.reject(&left).norm_squared();
+                let share = (1.0 - with / without.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
+                let rank = whole.rank().saturating_sub(basis.rank()).max(1);
+                Significance::new(rank, freedom).of(share)
+            };
+            let own: Vec<usize> = (first..first + size).collect();
+            let mut minus_ln_p = of(&own) - 0.5 * regression.price_of_term(term);
+            let together = regression.together(fit, term);
+            if together.len() > 1 {
+                minus_ln_p = minus_ln_p.max(of(&places(fit, &together)));
+            }
+            let unproven = regression.chance_in_noise(minus_ln_p, fit) > CHANCE_OF_A_STEP;
+            if unproven && least.as_ref().is_none_or(|least| minus_ln_p < least.0) {
+                least = Some((minus_ln_p, term.clone()));
+            }
+        }
+        first += size;
+    }
+    least.map(|least| least.1)
+}
+
+/// Places of the columns of some terms in a fit.
+fn places(fit: &Fit, terms: &[Term]) -> Vec<usize> {
+    let mut all = Vec::new();
+    let mut first = 0;
+    for own in fit.model.terms() {
+        let end = first + own.coefficients.len();
+        if terms.iter().any(|t| t.same_column(own)) {
+            all.extend(first..end);
+        }
+        first = end;
+    }
+    all
 }

@@ -65,12 +65,13 @@ pub(crate) fn searched<'a>(
     work.up_to(RIVALS);
     (prepared, found) = hold_rivals_against(prepared, found, watch)?;
     slowest::readings(&prepared, &mut found);
-    free_curve::rival(&prepared, &mut found);
+    free_curve::rival(&prepared, &mut found, true);
     // 4. Each name against the rest, and against other sets that are as likely.
     work.up_to(OTHER_SETS);
     test_at_the_end(&prepared, &mut found, watch)?;
     slowest::readings(&prepared, &mut found);
-    // 5. No name for what the geometry, the rows or the set-up leave.
+    // 5. No name for what few values, the geometry, the rows or the set-up leave.
+    free_curve::withdraw_of_few_values(&prepared, &mut found);
     base_misfit::withdraw(&prepared, &mut found);
     gross_error::withdraw(&prepared, &mut found);
     work.up_to(1.0);
@@ -158,7 +159,7 @@ fn against_rivals<'a>(
     let white = noise.slow.map(|_| noise.made_white());
     let (mut prepared, fit) = prepared.settled(&found.fit);
     found.fit = fit;
-    free_curve::rival(&prepared, &mut found);
+    free_curve::rival(&prepared, &mut found, false);
     let mut others = Vec::new();
     for noise in white.into_iter().chain(slow).chain(instead) {
         let known = &prepared.regression.noise;
@@ -222,6 +223,6 @@ fn settled_search<'a>(
         }
         found = prepared.resume(&found, watch)?;
     }
-    free_curve::rival(&prepared, &mut found);
+    free_curve::rival(&prepared, &mut found, false);
     Ok((prepared, found))
 }

@@ -2,8 +2,8 @@
 
 use crate::effects::Term;
 
+use super::prepare::PreparedSearch;
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::Significance;
 
 /// What one term is worth beside the others.
@@ -18,7 +18,8 @@ pub(crate) struct Worth {
 }
 
 /// What a term is worth beside the others of a fit.
-pub(crate) fn worth(regression: &Regression, fit: &Fit, term: &Term) -> Worth {
+pub(crate) fn worth(prepared: &PreparedSearch, fit: &Fit, term: &Term) -> Worth {
+    let regression = &prepared.regression;
     let rest = regression.without_term(fit, term);
     let rank = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
     let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);

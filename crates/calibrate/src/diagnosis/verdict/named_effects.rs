@@ -29,7 +29,7 @@ pub(crate) fn found(
     let one = |step: &Step| {
         let about = step.term.effect.about();
         let term = &step.term;
-        let worth = worth(&prepared.regression, with_shapes, term);
+        let worth = worth(prepared, with_shapes, term);
         let next = Next::than(prepared, with_shapes, term, &worth);
         let over = worth.ln_odds - next.as_ref().map_or(0.0, |n| n.ln_odds.max(0.0));
         let next = next.map(|n| n.term.name_on(&regression.base.robot));

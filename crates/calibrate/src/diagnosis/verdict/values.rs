@@ -477,7 +477,7 @@ pub(crate) fn corrected_for_selection<'a>(
     let threshold = regression.minus_ln_p_for(CHANCE_OF_A_STEP, fit);
     let before = (regression.base.robot.joints.len() > 1).then(|| values.clone());
     for term in regression.added(fit) {
-        let rest = worth(&prepared.regression, fit, term).rest;
+        let rest = worth(prepared, fit, term).rest;
         let columns = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
         let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);
         let tried = 0.5 * regression.price_of_term(term);
