@@ -1,5 +1,6 @@
 //! The shell: takes what the tasks have brought, lays out the panels, executes their commands.
 
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
@@ -56,6 +57,8 @@ impl App {
     pub fn new(ctx: &Context, path: Option<PathBuf>, runner: Runner) -> Self {
         keep_memory_between_frames();
         style::apply(ctx);
+        // A foot or a bar of another height moves a plot, and that its axes.
+        ctx.options_mut(|options| options.max_passes = NonZeroUsize::MIN.saturating_add(2));
         write_fields(ctx, false);
         let wake = ctx.clone();
         let jobs = Jobs::new(runner, Arc::new(move || wake.request_repaint()));
@@ -138,6 +141,7 @@ impl App {
         // Asked for in the frame before, whose sheet is closed by now.
         self.keep_picture(ui.ctx());
         self.lay_out(ui);
+        widgets::lay_out_again(ui.ctx());
         self.workbench.drag(ui.ctx().dragged_id().is_some());
         let any = self.workbench.make_changes();
         self.keep_title(ui.ctx());

@@ -1,11 +1,13 @@
 //! What was wrong or rubbed in a trial by hand, a test for each sentence: how the steps, messages,
 //! fields, lists and panels have to be.
 
+use std::collections::BTreeMap;
+
 use crate::window::{
     Window, bundled, export_to, keys, press, says, there, type_into, until, window, window_at,
     window_of,
 };
-use egui::{Key, Modifiers};
+use egui::{Key, Modifiers, Rect};
 use egui_kittest::kittest::{NodeT, Queryable};
 use truepose::effects::JointValues;
 use truepose::export::Job;
@@ -58,6 +60,50 @@ fn the_search_says_that_the_full_model_takes_the_place_of_the_regions() {
     press(&mut window, "Undo identify");
     press(&mut window, "3 Identify");
     assert!(says(&window, "RMS error in the plane of motion, by region"));
+}
+
+/// Where everything with a name is.
+fn places(window: &Window) -> BTreeMap<String, Rect> {
+    let all = window.query_all_by(|node| node.label().is_some());
+    all.filter_map(|node| Some((node.accesskit_node().label()?, node.rect())))
+        .collect()
+}
+
+/// What has to be measured before the rest has its place is measured in passes that nobody sees.
+#[test]
+fn the_first_frame_after_a_change_has_the_new_layout() {
+    let mut window = window(None);
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    let presses = [
+        "1 Session",
+        "2 Regions",
+        "5 Export",
+        "4 Diagnose",
+        "Run diagnosis",
+        "3 Identify",
+        "Samples",
+        "Summary",
+        "Hide results",
+        "Show results",
+    ];
+    for label in presses {
+        let node = window.query_by_label(label);
+        node.unwrap_or_else(|| panic!("no {label}")).click();
+        // The change is made at the end of the frame in which the pointer lets go; the next one shows it.
+        window.step();
+        window.step();
+        let first = places(&window);
+        window.run_steps(8);
+        let settled = places(&window);
+        for (name, rect) in &settled {
+            let at = first.get(name);
+            let moved = at.is_none_or(|at| {
+                (at.min - rect.min).length() > 0.6 || (at.max - rect.max).length() > 0.6
+            });
+            assert!(!moved, "{label}: {name} was at {at:?}, is at {rect:?}");
+        }
+    }
 }
 
 #[test]
@@ -353,6 +399,21 @@ fn panels_are_pulled_by_their_edges() {
         (before.right() - pulled.right() - 50.0).abs() < 2.0,
         "{before} {pulled}"
     );
+    // The chart by its upper edge, above its bar.
+    let chart = |window: &Window| window.get_by_label("deviation chart, tangential").rect();
+    let low = chart(&window);
+    let bar = window.get_by_label("Choose chart").rect();
+    let edge = egui::pos2(low.center().x, bar.top() - 12.0);
+    window.hover_at(edge);
+    window.step();
+    window.drag_at(edge);
+    window.step();
+    window.hover_at(edge - egui::vec2(0.0, 40.0));
+    window.step();
+    window.drop_at(edge - egui::vec2(0.0, 40.0));
+    window.run_steps(3);
+    let high = chart(&window);
+    assert!(high.height() > low.height() + 30.0, "{low} {high}");
 }
 
 #[test]

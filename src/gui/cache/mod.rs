@@ -31,6 +31,7 @@ use crate::standards::Standards;
 use crate::text::Text;
 
 pub(crate) mod cloud;
+pub(crate) mod points;
 
 /// The session and the answer that something is worked out for.
 #[derive(Debug, Clone, PartialEq)]

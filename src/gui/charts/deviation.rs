@@ -1,7 +1,8 @@
 //! A component of the deviation over the value of a joint, time, load or temperature, before and after.
 
-use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Seen, Shown, at};
+use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Seen, Shown};
 use crate::gui::cache::Work;
+use crate::gui::cache::points::at;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::core::regions::boundaries;

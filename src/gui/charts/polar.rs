@@ -14,7 +14,7 @@ use super::{
     About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Seen, Shown,
 };
 use crate::gui::cache::Work;
-use crate::gui::charts::When;
+use crate::gui::cache::points::When;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::overview::round_down;
 use crate::gui::core::quantity::Over;

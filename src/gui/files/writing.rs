@@ -136,7 +136,7 @@ pub(crate) fn alone(bytes: Vec<u8>) -> Vec<Document> {
     vec![Document { name, bytes }]
 }
 
-/// A table with what stands beside it, or a model.
+/// A table with the files that belong to it, or a model.
 pub(crate) fn documents(
     wanted: &PreviewRequest,
     what: What,

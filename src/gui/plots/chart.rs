@@ -215,8 +215,8 @@ const HIGH: f32 = 220.0;
 /// Between names, points.
 const BETWEEN: f32 = 12.0;
 
-/// Between a chart's bar and the chart: what the marks are, and what has to be said. It stands beside no mark, so
-/// that nothing is covered; what may go is left out by a press. `shown`: whether it is there; `None`: it cannot go.
+/// Between a chart's bar and the chart: what the marks are, and what has to be said. It has rows of its own, so
+/// that no mark is covered; what may go is left out by a press. `shown`: whether it is there; `None`: it cannot go.
 pub(crate) fn legend(ui: &mut Ui, chart: &Chart, shown: Option<bool>, workbench: &Workbench) {
     let high = ui.available_height() > HIGH;
     ui.scope(|ui| {

@@ -9,8 +9,8 @@ use std::hash::Hash;
 
 use egui::epaint::{Mesh, Tessellator, Vertex};
 use egui::{
-    Color32, Context, FontId, Painter, Pos2, Rangef, Rect, Response, RichText, Role, Shape, Stroke,
-    Ui, Vec2, WidgetInfo, vec2,
+    Color32, Context, FontId, Painter, Pos2, Rangef, Response, RichText, Role, Shape, Stroke, Ui,
+    Vec2, WidgetInfo, vec2,
 };
 use egui_plot::{Axis, AxisHints, GridMark, Plot, PlotResponse, PlotTransform, PlotUi};
 
@@ -279,23 +279,11 @@ pub(crate) fn show(
             plot.zoom_bounds_around_hovered(closer);
         }
     });
-    settle(&response);
+    // Axes are laid out with the room that they took in the frame before.
+    widgets::settle(ui, response.id, *transform.frame());
     let painter = ui.painter().with_clip_rect(*transform.frame());
     painter.extend(draw(&painter, &transform));
     (response, transform)
-}
-
-/// Axes are laid out with the room that they took in the frame before: whatever the plot's size
-/// was, there is another frame until it stays.
-fn settle(response: &Response) {
-    let id = response.id.with("settled");
-    let before: Option<Rect> = response.ctx.data(|data| data.get_temp(id));
-    if before != Some(response.rect) {
-        response
-            .ctx
-            .data_mut(|data| data.insert_temp(id, response.rect));
-        response.ctx.request_repaint();
-    }
 }
 
 /// How much closer the wheel goes in this frame, along the axis below and upwards.

@@ -1,5 +1,4 @@
-//! The left-hand side: the list of steps, the controls of the chosen one, and what to do next; and what
-//! both sides of the window are pulled by.
+//! The left-hand side: the list of steps, the controls of the chosen one, and what to do next.
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Button, Panel, Response, Role, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, vec2};
@@ -63,7 +62,7 @@ fn all(ui: &mut Ui, workbench: &Workbench) {
     ui.add_space(space::ROW);
     ui.separator();
     let frame = egui::Frame::NONE.inner_margin(egui::Margin::ZERO);
-    Panel::bottom("next")
+    let foot = Panel::bottom("next")
         .resizable(false)
         .show_separator_line(false)
         .frame(frame)
@@ -71,6 +70,7 @@ fn all(ui: &mut Ui, workbench: &Workbench) {
             ui.add_space(space::ROW);
             next(ui, workbench);
         });
+    widgets::settle(ui, foot.response.id, foot.response.rect);
     widgets::scroll(ui, ("controls", now.name()), |ui| {
         show(ui, workbench);
     });

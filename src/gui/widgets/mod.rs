@@ -7,8 +7,8 @@ use std::rc::Rc;
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{
-    Align, Align2, ComboBox, CornerRadius, DragValue, EventFilter, Frame, Id, Key, Layout, Margin,
-    Response, RichText, Stroke, StrokeKind, TextEdit, Tooltip, Ui, Vec2, vec2,
+    Align, Align2, ComboBox, Context, CornerRadius, DragValue, EventFilter, Frame, Id, Key, Layout,
+    Margin, Rect, Response, RichText, Stroke, StrokeKind, TextEdit, Tooltip, Ui, Vec2, vec2,
 };
 
 use crate::gui::style::{DARK, LIGHT, Palette, space};
@@ -129,6 +129,31 @@ pub(crate) fn keep_arrows(ui: &Ui, id: Id, [horizontal_arrows, vertical_arrows]:
         ..EventFilter::default()
     };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(id, filter));
+}
+
+/// Notes where something is. Others were laid out by where it was in the frame before: if it has moved, the frame is laid out
+/// again before it is seen ([`lay_out_again`]).
+pub(crate) fn settle(ui: &Ui, id: Id, rect: Rect) {
+    let id = id.with("settled");
+    if ui.data(|data| data.get_temp(id)) != Some(rect) {
+        ui.data_mut(|data| {
+            data.insert_temp(id, rect);
+            data.insert_temp(something_moved(), true);
+        });
+    }
+}
+
+fn something_moved() -> Id {
+    Id::unique("something moved")
+}
+
+/// Asks for the frame to be laid out again where something has moved in it. Behind all panels: what is drawn in a pass that
+/// is known to be discarded is not measured.
+pub(crate) fn lay_out_again(ctx: &Context) {
+    if ctx.data_mut(|data| data.remove_temp::<bool>(something_moved())) == Some(true) {
+        ctx.request_discard("something moved");
+        ctx.request_repaint();
+    }
 }
 
 // What forms are made of: fields for numbers with their names, rows, and how sheets end: their buttons, and Enter.

@@ -13,6 +13,7 @@ mod machine;
 mod on_disk;
 #[cfg(test)]
 mod tests;
+mod unsaved;
 /// What the tests of the window do at random; no release has it.
 #[cfg(debug_assertions)]
 #[path = "../../../tests/support/walk/mod.rs"]
@@ -133,7 +134,7 @@ impl Workbench {
 pub(super) struct Place {
     /// `None`: it needs no file, being an example or a model.
     pub(super) path: Option<PathBuf>,
-    /// What stands there.
+    /// The content that the file had when it was read or written.
     pub(super) document: Arc<Document>,
     /// As they looked when they were last read or written.
     pub(super) files: Vec<Fingerprint>,

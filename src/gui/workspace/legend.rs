@@ -17,7 +17,8 @@ use crate::numeric::single;
 use crate::present::chart::Form;
 use crate::present::numbers::{significant, trimmed};
 
-use super::model::{self, Shown, judged};
+use super::fitting;
+use super::model::{Shown, judged};
 use super::pen::{Camera, Label, Pen};
 use super::robot::Drawn;
 
@@ -104,7 +105,7 @@ pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown
     let points_per_mm = camera.points_per_mm();
     // Round in the unit in which it is written.
     let per_mm = units.length_value(1.0);
-    let round = model::scale_mm(shown.magnification, points_per_mm / per_mm, LONGEST_SCALE);
+    let round = fitting::scale_mm(shown.magnification, points_per_mm / per_mm, LONGEST_SCALE);
     let mm = round / per_mm;
     let long = single(mm * shown.magnification * points_per_mm);
     let length = trimmed(units.length_value(mm), 6);
@@ -220,7 +221,7 @@ impl Notes {
     }
 
     pub(super) fn keep(&self, ui: &Ui, shown: &Shown, transform: &PlotTransform) {
-        let now = model::drawn(shown, model::counts(shown, transform));
+        let now = fitting::drawn(shown, fitting::counts(shown, transform));
         if now != self.before {
             ui.data_mut(|data| data.insert_temp(self.id, now));
             ui.ctx().request_repaint();

@@ -18,6 +18,7 @@ use crate::gui::workbench::Workbench;
 use crate::gui::workspace::model::{magnification as magnification_of, readable, room};
 use crate::present::numbers::{significant, trimmed};
 
+mod fitting;
 mod in_space;
 mod legend;
 mod model;
@@ -26,9 +27,9 @@ mod pointer;
 mod robot;
 mod scene;
 
+pub(crate) use fitting::nearest;
 pub(crate) use in_space::robot_alone;
 pub(crate) use model::judged;
-pub(crate) use model::nearest;
 pub(crate) use pointer::{Handles, boundary_handles, grab, hover, marked};
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
@@ -81,7 +82,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     let editing = view.step == Step::Regions && !workbench.loaded_session().is_empty();
     let seen = Seen::of(ui, workbench);
     let (shown, robot) = (&seen.shown, seen.robot.as_ref());
-    let bounds = model::bounds(shown);
+    let bounds = fitting::bounds(shown);
     let plot = plots::plot(("workspace", view.plane.name(), view.fitted.workspace))
         .data_aspect(1.0)
         .set_margin_fraction(egui::Vec2::splat(0.02))
@@ -105,7 +106,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     let frame = camera.frame();
     tell_plot_size(
         workbench,
-        model::fitted(bounds, [frame.width(), frame.height()].map(f64::from)),
+        fitting::fitted(bounds, [frame.width(), frame.height()].map(f64::from)),
     );
     let samples = workbench.loaded_session().overview.usable.len();
     response.widget_info(|| {
@@ -119,7 +120,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     seen.finish(ui, workbench, &camera, (&response, pointer));
     if editing && let Some(dial) = &shown.dial {
         let handles = Handles {
-            at: &|angle| camera.at_flat(dial.at(angle, model::HANDLE * dial.radius_mm)),
+            at: &|angle| camera.at_flat(dial.at(angle, fitting::HANDLE * dial.radius_mm)),
             angle: &|at, near| {
                 let point = transform.value_from_position(at);
                 dial.angle_of([point.x, point.y], near)

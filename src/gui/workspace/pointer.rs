@@ -17,8 +17,8 @@ use crate::gui::style::Palette;
 use crate::gui::view::ViewState;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
+use crate::gui::workspace::fitting;
 use crate::gui::workspace::legend::{self, Notes};
-use crate::gui::workspace::model;
 use crate::gui::workspace::model::{Shown, judged};
 use crate::gui::workspace::pen::Camera;
 use crate::gui::workspace::robot::Drawn;
@@ -37,7 +37,7 @@ pub(super) fn under(
 ) -> Option<usize> {
     let transform = &camera.transform;
     let at = transform.value_from_position(at);
-    let [points, _] = model::counts(shown, transform);
+    let [points, _] = fitting::counts(shown, transform);
     let scale = camera.points_per_mm();
     drawn_at(
         workbench,

@@ -361,7 +361,7 @@ mod tests {
         for plane in Plane::ALL {
             workbench.execute(|bench| bench.view.look_in(plane));
             let shown = crate::gui::workspace::model::Shown::of(&workbench);
-            let [low, high] = crate::gui::workspace::model::bounds(&shown);
+            let [low, high] = crate::gui::workspace::fitting::bounds(&shown);
             let drawn = Drawn::of(&workbench).expect("there are samples");
             for p in &drawn.corners_mm {
                 let p = workbench.facing().flat(p.coords.into());

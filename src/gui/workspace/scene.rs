@@ -15,7 +15,7 @@ use crate::gui::layers::{Frame, WIDTH, heat_map, map_in_plot};
 use crate::gui::style::{size, strong};
 use crate::gui::view::Ball;
 use crate::gui::workbench::Workbench;
-use crate::gui::workspace::model::{self, HANDLE, SECTOR};
+use crate::gui::workspace::fitting::{self, HANDLE, SECTOR};
 use crate::gui::workspace::model::{Dial, Shown, VisibleSample, ball, shown};
 use crate::gui::workspace::pen::{Camera, Label, Pen};
 use crate::gui::workspace::pointer::marked;
@@ -63,7 +63,7 @@ fn sectors(pen: &mut Pen<'_>, dial: &Dial, regions: &[Region], editing: bool, ca
     // All of them together, without soft edges: neighbouring pieces leave no seams.
     let mut mesh = Mesh::default();
     for (place, region) in order.into_iter().map(|k| &regions[k]).enumerate() {
-        for corners in model::sector(dial, region.from_rad, region.to_rad) {
+        for corners in fitting::sector(dial, region.from_rad, region.to_rad) {
             let first = u32::try_from(mesh.vertices.len()).unwrap_or(u32::MAX);
             for corner in corners {
                 mesh.colored_vertex(camera.at_flat(corner), pen.palette.sectors[place % 2]);
@@ -123,7 +123,7 @@ fn samples(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Cam
         cloud: Cloud::of(workbench.loaded_session()),
         remainder: workbench.remainder(),
         frame: Frame::new(&shown.look, pen.palette, &camera.transform, pixels),
-        counts: model::counts(shown, &camera.transform),
+        counts: fitting::counts(shown, &camera.transform),
         ghosts: shown.look.ghosts(),
     };
     pen.shapes.push(layer.shape(camera.frame()));

@@ -127,18 +127,10 @@ impl<'a> Regression<'a> {
 
     /// The same samples and candidates with another noise.
     pub(crate) fn with_noise(&self, noise: Noise) -> Self {
-        let other = Self::new(
-            Rc::clone(&self.problem),
-            Rc::clone(&self.rows),
-            noise,
-            Rc::clone(&self.table),
-            self.base.clone(),
-            self.threads,
-        );
         Self {
             tests: Rc::clone(&self.tests),
             work: self.work.clone(),
-            ..other
+            ..self.like(Rc::clone(&self.problem), noise)
         }
     }
 
@@ -146,14 +138,12 @@ impl<'a> Regression<'a> {
     pub(crate) fn with_priors(&self, priors: Priors) -> Self {
         let mut problem = (*self.problem).clone();
         problem.priors = priors;
-        Self::new(
-            Rc::new(problem),
-            Rc::clone(&self.rows),
-            self.noise.clone(),
-            Rc::clone(&self.table),
-            self.base.clone(),
-            self.threads,
-        )
+        self.like(Rc::new(problem), self.noise.clone())
+    }
+
+    fn like(&self, problem: Rc<Problem<'a>>, noise: Noise) -> Self {
+        let (rows, table) = (Rc::clone(&self.rows), Rc::clone(&self.table));
+        Self::new(problem, rows, noise, table, self.base.clone(), self.threads)
     }
 
     /// Number of measured rows.

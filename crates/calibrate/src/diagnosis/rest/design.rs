@@ -44,6 +44,44 @@ pub(super) struct Design<'a> {
     threads: Threads,
 }
 
+/// A column of the whole model: its number there, its term and coefficient.
+type Column = (usize, Term, usize);
+
+/// Whether a column is fitted here: names keep their values, as in what is handed out.
+fn is_fitted(term: &Term, coefficient: usize) -> bool {
+    base_model::belongs(term.effect.about().id) && !term.held.contains(coefficient)
+}
+
+/// What is known of the columns beforehand, as rows in units of its own width, and what is left of it.
+fn known_rows(
+    problem: &Problem<'_>,
+    model: &Model,
+    rows: &Rows,
+    own: &[Column],
+) -> (DMatrix<f64>, DVector<f64>) {
+    let sigma = |(_, term, k): &Column| problem.priors.sigma(model, term, *k);
+    let known = own.iter().enumerate();
+    let known: Vec<(usize, f64, f64)> = known
+        .filter_map(|(c, o)| Some((c, sigma(o)?, o.1.coefficients[o.2])))
+        .collect();
+    let (left, columns) = rows.prior_rows(model, &problem.priors);
+    let mut all = DMatrix::zeros(known.len() + left.len(), own.len());
+    let mut y = DVector::zeros(all.nrows());
+    for (row, (column, sigma, value)) in known.iter().enumerate() {
+        all[(row, *column)] = 1.0 / sigma;
+        y[row] = -value / sigma;
+    }
+    let of_model = model.columns().enumerate();
+    let of_model = of_model.filter(|(_, (term, k))| is_fitted(term, *k));
+    for (column, (place, _)) in of_model.enumerate() {
+        for row in 0..left.len() {
+            all[(known.len() + row, column)] = columns[(row, place)];
+        }
+    }
+    y.rows_mut(known.len(), left.len()).copy_from(&left);
+    (all, y)
+}
+
 /// What the families bring on unseen cells.
 pub(super) struct Gains {
     pub(super) before_mm: f64,
@@ -70,10 +108,6 @@ impl<'a> Design<'a> {
             .fold(model.clone(), |m, probe| m.with_term(probe.clone()));
         let (residual, all) = rows.extract(&with);
         let is_probe = |t: &Term| probes.iter().any(|p| p.same_column(t));
-        // Names keep their values, here as in what is handed out.
-        let is_fitted = |term: &Term, coefficient: usize| {
-            base_model::belongs(term.effect.about().id) && !term.held.contains(coefficient)
-        };
         let mut own = Vec::new();
         let mut unit = Vec::new();
         for (k, (term, coefficient)) in with.columns().enumerate() {
@@ -86,35 +120,17 @@ impl<'a> Design<'a> {
         let directions = all.select_columns(&unit);
         let places: Vec<usize> = own.iter().map(|o| o.0).collect();
         let geometry = all.select_columns(&places);
-        // What is known beforehand, in rows below.
-        let sigma = |(_, term, k): &(usize, Term, usize)| problem.priors.sigma(model, term, *k);
-        let known: Vec<(usize, f64, f64)> = own
-            .iter()
-            .enumerate()
-            .filter_map(|(c, o)| Some((c, sigma(o)?, o.1.coefficients[o.2])))
-            .collect();
-        let (left, columns) = rows.prior_rows(model, &problem.priors);
         let m = rows.len();
-        let height = m + known.len() + left.len();
+        let (known, of_known) = known_rows(&problem, model, &rows, &own);
+        let height = m + known.nrows();
         let mut white = noise
             .whitened(&rows, &geometry)
             .resize_vertically(height, 0.0);
+        white.rows_mut(m, known.nrows()).copy_from(&known);
         let mut y = noise
             .whitened_vector(&rows, &residual)
             .resize_vertically(height, 0.0);
-        for (row, (column, sigma, value)) in known.iter().enumerate() {
-            white[(m + row, *column)] = 1.0 / sigma;
-            y[m + row] = -value / sigma;
-        }
-        let of_model = model.columns().enumerate();
-        let of_model = of_model.filter(|(_, (term, k))| is_fitted(term, *k));
-        let of_model: Vec<usize> = of_model.map(|(at, _)| at).collect();
-        for row in 0..left.len() {
-            y[m + known.len() + row] = left[row];
-            for (column, place) in of_model.iter().enumerate() {
-                white[(m + known.len() + row, column)] = columns[(row, *place)];
-            }
-        }
+        y.rows_mut(m, known.nrows()).copy_from(&of_known);
         let mut raw = (!noise.is_white()).then_some(geometry);
         let kept: Vec<usize> = (0..white.ncols())
             .filter(|k| white.column(*k).norm() > 0.0)
@@ -141,9 +157,12 @@ impl<'a> Design<'a> {
         };
         let n = folds.samples().max(1);
         // Of rows that are independent a whitened one is one in units of its axis's noise.
-        let unit = |row: usize| match noise.is_white() {
-            true => noise.sigma_mm[rows.axes[row / n]],
-            false => 1.0,
+        let unit = |row: usize| {
+            if noise.is_white() {
+                noise.sigma_mm[rows.axes[row / n]]
+            } else {
+                1.0
+            }
         };
         let whitened = Whitened {
             raw: raw.map(|raw| with(raw, &residual)),

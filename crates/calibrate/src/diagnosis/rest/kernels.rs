@@ -6,7 +6,7 @@
 //!
 //! c: the values of a part of the curve at its knots u, t its size in units of the noise, B its columns and J those of
 //! the base. k is of the Matérn family: of order ½ it may jump, of order 3/2 and 5/2 it is smooth; beside it stands the
-//! infinitely smooth one, a Gaussian. Of what is periodic |u_i − u_j| is a chord (Rasmussen & Williams 2006, 4.2). The
+//! infinitely smooth one, a Gaussian. Of what is periodic the distance of two knots is a chord (Rasmussen & Williams 2006, 4.2). The
 //! condition makes the curve orthogonal to the base, so that it takes nothing from it: L without the combinations that
 //! would, `L (1 − Q Qᵀ)` with Q a basis of `Lᵀ Bᵀ J`.
 

@@ -10,7 +10,7 @@ use crate::effects::Term;
 
 use super::aliases;
 use super::found::SearchResult;
-use super::prepare::{PreparedSearch, UNSEEN_KEPT};
+use super::prepare::PreparedSearch;
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::compatible;
 use crate::diagnosis::candidates::table::CandidateKind;
@@ -32,6 +32,8 @@ const LEAST_OF_NOISE: f64 = 0.3;
 const LEAST_OF_TOLERANCE: f64 = 0.1;
 /// An effect below this is rounding, mm.
 const LEAST_MM: f64 = 2e-5;
+/// Fits of which the error on unseen samples is kept.
+const UNSEEN_KEPT: usize = 64;
 
 /// What may be added in a pass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

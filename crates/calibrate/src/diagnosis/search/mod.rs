@@ -2,7 +2,7 @@
 //! outliers and noise are known beside the names, then against slow noise and free curves, and each name once more
 //! against the rest.
 //!
-//! - `procedure`: the whole of it; `prepare`: from a session to the rows (`robust`, `classes`: which samples count).
+//! - `procedure`: the whole of it; `prepare`: from a session to the rows (`robust`, `classes`, `clusters`: which samples count).
 //! - `forward`: one search; `settle`: swaps, drops and pairs; `orders`: several orders of one joint together; `found`: what it ends with.
 //! - `aliases`, `other_settings`: rivals that the samples cannot rule out; `slowest`: of waves at equal steps the slowest.
 //! - `free_curve`: a curve without a name as the rival of names.
@@ -12,6 +12,7 @@
 pub(crate) mod aliases;
 mod base_misfit;
 mod classes;
+mod clusters;
 mod final_set;
 mod floor;
 mod forward;

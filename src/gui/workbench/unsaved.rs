@@ -1,0 +1,361 @@
+//! What is not saved: what would be lost, what is asked before it is, and how it is saved; how it is kept
+//! against a crash, and comes back.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::gui::core::document::Document;
+use crate::gui::core::loaded_session::{LoadedSession, Origin};
+use crate::gui::file_state::recovery::{self, LeftBehind, SavedDocument};
+use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
+use crate::gui::jobs::{Kind, Running, Watch};
+use crate::gui::view::{Message, NextAction, Sheet, What};
+use crate::gui::workbench::{Place, Workbench};
+
+/// What would be lost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Losses {
+    /// The session, or changes of it.
+    pub(crate) session: bool,
+    pub(crate) model: bool,
+}
+
+impl Losses {
+    /// Whether there is something.
+    pub(crate) fn any(self) -> bool {
+        self.session || self.model
+    }
+}
+
+impl Workbench {
+    /// Whether something would be lost that a session's file can hold.
+    pub(crate) fn unsaved(&self) -> bool {
+        let now = self.document();
+        if now.loaded_session.is_empty() {
+            return false;
+        }
+        let same = |Place {
+                        document: saved, ..
+                    }: &Place| {
+            now.regions == saved.regions
+                && now.tolerance_mm == saved.tolerance_mm
+                && Arc::ptr_eq(&now.loaded_session, &saved.loaded_session)
+        };
+        !self.place().is_some_and(same)
+    }
+
+    /// What would be lost if the session were closed now. The session that the window began with
+    /// is an example: what was tried on it can be tried again.
+    pub(crate) fn at_risk(&self) -> Losses {
+        let document = self.document();
+        let example = self.loaded_session().lineage == self.first.lineage
+            || self.loaded_session().origin == Origin::Bundled;
+        let asked = self.question().filter(|_| document.loaded_model.is_none());
+        Losses {
+            session: self.unsaved(),
+            model: !example
+                && self.answer().is_some()
+                && asked.is_some()
+                && asked != self.file_state.model_on_file,
+        }
+    }
+
+    /// The file that is being written.
+    pub(crate) fn writing(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Writes)
+    }
+
+    /// Does it, unless something would be lost: then asks first.
+    pub(crate) fn ask_then(&mut self, then: NextAction) {
+        if let (NextAction::Leave, Some(writing)) = (&then, self.writing()) {
+            // Leaving does not depend on a file being chosen.
+            let title = say!(
+                "The window closes when this is done: {what}",
+                what = writing.what
+            );
+            self.view.message = Some(Message::done(title, Vec::new()));
+            self.file_state.then = Some(then);
+            return;
+        }
+        if self.at_risk().any() {
+            self.view.sheet = Some(Sheet::Unsaved(then));
+        } else {
+            self.go(then);
+        }
+    }
+
+    pub(crate) fn go(&mut self, then: NextAction) {
+        self.file_state.then = None;
+        self.view.sheet = None;
+        match then {
+            NextAction::Leave => self.view.leaving = true,
+            NextAction::Open(path) => {
+                let what = say!("reading {path}", path = path.display());
+                self.open(what, move |watch| files::open(&path, watch));
+            }
+            NextAction::Example(index) => {
+                self.open(say!("reading an example"), move |_| {
+                    files::open_example(index)
+                });
+            }
+            NextAction::Simulate(form) => {
+                self.open(say!("simulating"), move |watch| {
+                    files::simulate(&form, watch)
+                });
+            }
+        }
+    }
+
+    /// Opens what was dropped: one file, or a session with its samples.
+    pub(crate) fn drop_files(&mut self, mut paths: Vec<PathBuf>) {
+        if self.asking().is_some() {
+            return;
+        }
+        // Beside targets that are shown, others may be dropped.
+        let sheet = self.view.sheet.as_ref();
+        let form = sheet.filter(|sheet| **sheet != Sheet::COMPENSATION);
+        if form.is_some_and(Sheet::holds_entries) {
+            return self.complain(
+                say!("What was dropped is not opened over a form"),
+                [say!("Finish or cancel the form, then drop the file again")],
+            );
+        }
+        let is_document = |path: &&PathBuf| {
+            let ending = path.extension();
+            ending.is_some_and(|ending| ending.eq_ignore_ascii_case("json"))
+        };
+        let session = paths.iter().find(is_document).cloned();
+        if let Some(session) = session {
+            paths.retain(|path| *path == session || path.file_stem() != session.file_stem());
+        }
+        match &paths[..] {
+            [] => {}
+
+            [file] => self.open_file(file.clone()),
+            several => self.complain(
+                &say!("{count} files were dropped: none was opened", count = several.len()),
+                [say!("Drop one at a time: a session, a model, a robot program, or a table of measurements")],
+            ),
+        }
+    }
+
+    /// Brings another session.
+    pub(super) fn open(
+        &mut self,
+        what: impl Into<String>,
+        work: impl FnOnce(&Watch) -> Result<Opened, Message> + Send + 'static,
+    ) {
+        self.jobs.start(Kind::Opens, what, work, Self::take_opened);
+    }
+
+    /// Saves what would be lost, then does it.
+    pub(crate) fn save_then(&mut self, then: NextAction) {
+        self.view.sheet = None;
+        self.file_state.then = Some(then);
+        self.file_state.saves_all = true;
+        if self.at_risk().session {
+            self.save();
+        } else {
+            self.choose_where_to_export(What::Model);
+        }
+    }
+
+    /// Something was written: what was to be done then. Where all was to be saved first, that is what comes next.
+    pub(super) fn resume(&mut self) {
+        let saves = std::mem::take(&mut self.file_state.saves_all);
+        match self.file_state.then.take() {
+            Some(then) if saves && self.at_risk().any() => self.save_then(then),
+            Some(then) => self.ask_then(then),
+            None => {}
+        }
+    }
+
+    /// What was to be done after saving is not done.
+    pub(super) fn cancel_pending_action(&mut self) {
+        self.file_state.then = None;
+        self.file_state.saves_all = false;
+    }
+
+    /// Saves to the session's own file, or asks for one.
+    pub(crate) fn save(&mut self) {
+        match self.file().map(Path::to_path_buf) {
+            Some(path) => self.save_to(&path, Replace::Own),
+            None => self.choose_where_to_export(What::Session),
+        }
+    }
+
+    /// The same, although the file changed since it was read.
+    pub(crate) fn save_despite(&mut self) {
+        if let Some(path) = self.file().map(Path::to_path_buf) {
+            self.save_to(&path, Replace::Whatever);
+        }
+    }
+
+    /// Saves what is open to a file.
+    fn save_to(&mut self, path: &Path, replace: Replace) {
+        if self.prepared(What::Session).is_some() {
+            self.save_document(Arc::clone(self.history.present()), path, replace);
+        }
+    }
+
+    /// Saves this to a file.
+    pub(super) fn save_document(&mut self, document: Arc<Document>, path: &Path, replace: Replace) {
+        self.view.sheet = None;
+        let known = self.file_state.places.get(&document.loaded_session.lineage);
+        let known = known.map_or_else(Vec::new, |place| place.files.clone());
+        let (what, path) = (
+            say!("saving {path}", path = path.display()),
+            path.to_path_buf(),
+        );
+        self.forget_looks();
+        let work = move |watch: &Watch| files::save(document, &path, replace, known, watch);
+        self.jobs.start(Kind::Writes, what, work, Self::take_saved);
+    }
+
+    pub(super) fn take_saved(&mut self, saved: Saved) {
+        let Saved {
+            document,
+            path,
+            result,
+        } = saved;
+        match result {
+            Err(NotSaved::Changed(changed)) => {
+                self.view.sheet = Some(Sheet::Overwrite(changed));
+            }
+            Err(NotSaved::Because(message)) => {
+                self.look_at_disk();
+                self.cancel_pending_action();
+                self.view.message = Some(message);
+            }
+            Ok(prints) => {
+                let samples = prints.get(1).map(|print| print.path.clone());
+
+                let lineage = document.loaded_session.lineage;
+                let place = Place {
+                    path: Some(path.clone()),
+                    document,
+                    files: prints,
+                    samples,
+                };
+                self.file_state.places.insert(lineage, place);
+                self.forget_looks();
+                let mut details = Vec::new();
+                if self.at_risk().model {
+                    details.push(
+                        say!("What was identified is not in it: “Save model…” keeps that")
+                            .to_owned(),
+                    );
+                }
+                self.view.message = Some(Message::saved(&path, details));
+                self.use_recent(path);
+                self.resume();
+            }
+        }
+    }
+}
+
+impl Workbench {
+    /// Whether recovery lags behind the document.
+    pub(crate) fn recovery_lags(&self) -> bool {
+        let now = self.history.present();
+        let kept = self.file_state.kept.as_ref();
+        self.file_state.recovery_file.is_some()
+            && match (kept, self.at_risk().any()) {
+                (Some(kept), true) => !Arc::ptr_eq(kept, now),
+                (kept, at_risk) => kept.is_some() != at_risk,
+            }
+    }
+
+    /// Writes what is not saved to this window's recovery file, or removes it where all is saved.
+    pub(crate) fn keep_recovery(&mut self) {
+        let Some(path) = self
+            .file_state
+            .recovery_file
+            .as_ref()
+            .map(|k| k.path().to_path_buf())
+        else {
+            return;
+        };
+        if !self.recovery_lags() {
+            return;
+        }
+        if !self.at_risk().any() {
+            self.file_state.kept = None;
+            let work = move || drop(std::fs::remove_file(&path));
+            self.jobs.quietly(work, |_, ()| ());
+            return;
+        }
+        let document = Arc::clone(self.history.present());
+        self.file_state.kept = Some(Arc::clone(&document));
+        let file = self.file().map(Path::to_path_buf);
+        let work = move || {
+            let written = recovery::write(&path, &SavedDocument::of(&document, file));
+            written.map_err(|e| e.to_string())
+        };
+        self.jobs.quietly(work, Self::take_kept);
+    }
+
+    /// Looks for what windows that are gone have left behind, and offers it.
+    pub(super) fn look_for_left_behind(&mut self) {
+        let Some(home) = self.file_state.home.clone() else {
+            return;
+        };
+        let work = move || recovery::left_behind(&home);
+        self.jobs
+            .quietly(work, |bench: &mut Self, left| match left {
+                None => {}
+                Some(Ok(left)) => {
+                    bench.file_state.left_behind = Some(left);
+                    if bench.view.sheet.is_none() {
+                        bench.view.sheet = Some(Sheet::RECOVERY);
+                    }
+                }
+                Some(Err((aside, because))) => {
+                    bench.complain(
+                        say!("What was left behind is damaged and cannot be restored"),
+                        vec![
+                            because,
+                            say!("It is kept as {aside}", aside = aside.display()),
+                        ],
+                    );
+                    bench.look_for_left_behind();
+                }
+            });
+    }
+
+    /// Brings back what was left behind.
+    pub(crate) fn restore(&mut self) {
+        self.view.sheet = None;
+        let Some(LeftBehind { own, kept, .. }) = self.file_state.left_behind.take() else {
+            return;
+        };
+        let mut session = kept.session;
+        let file = kept.about.file;
+        session.path.clone_from(&file);
+        let origin = Origin::Recovered(file);
+        let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
+        self.edit(phrase!("restore"), |document| {
+            document.recover(loaded_session, &kept.about.choices);
+            Ok(())
+        });
+        // It is this window's from now on.
+        if let Some(other) = self.file_state.recovery_file.replace(own) {
+            other.tidy();
+        }
+        self.file_state.kept = None;
+        self.keep_recovery();
+        self.view.message = Some(Message::done(
+            say!("Restored; it is not saved yet").to_owned(),
+            Vec::new(),
+        ));
+    }
+
+    /// Discards what was left behind, and offers what is next.
+    pub(crate) fn discard_left_behind(&mut self) {
+        self.view.sheet = None;
+        if let Some(left) = self.file_state.left_behind.take() {
+            left.own.tidy();
+        }
+        self.look_for_left_behind();
+    }
+}

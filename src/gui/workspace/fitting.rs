@@ -1,0 +1,268 @@
+//! Where the parts of the workspace plot go: bounds, sectors, the scale, what is under the pointer, and which of
+//! many vectors are drawn. Rectangles and points only, so that it is tested without pixels.
+
+use egui_plot::PlotTransform;
+
+use super::model::{Dial, Shown};
+use crate::gui::core::overview::{FEW, round_down};
+use crate::text::{Template, filled};
+
+/// Sectors reach from the path's inside to its outside, in parts of the radius.
+pub(crate) const SECTOR: (f64, f64) = (0.0, 1.10);
+/// Boundaries' handles and region names stand outside it.
+pub(crate) const HANDLE: f64 = 1.17;
+/// Room for the handles.
+const ROOM: f64 = 1.22;
+/// Chords of a sector are no longer than this, rad.
+const CHORD_RAD: f64 = 0.05;
+
+/// Smallest and largest corner of everything, mm, with room for handles.
+pub(crate) fn bounds(shown: &Shown) -> [[f64; 2]; 2] {
+    let mut low = [f64::INFINITY; 2];
+    let mut high = [f64::NEG_INFINITY; 2];
+    let mut take = |p: [f64; 2]| {
+        for k in 0..2 {
+            if p[k].is_finite() {
+                low[k] = low[k].min(p[k]);
+                high[k] = high[k].max(p[k]);
+            }
+        }
+    };
+    shown.measured_mm.into_iter().for_each(&mut take);
+    shown.robot_mm.into_iter().for_each(&mut take);
+    let paths = shown.paths_mm.iter().flatten();
+    let paths: Vec<[f64; 2]> = paths.map(|p| shown.look.facing.flat(*p)).collect();
+    paths.iter().copied().for_each(&mut take);
+    if let Some(dial) = &shown.dial {
+        take(dial.centre_mm);
+        for p in &paths {
+            let arm = [p[0] - dial.centre_mm[0], p[1] - dial.centre_mm[1]];
+            let out = ROOM * dial.radius_mm / arm[0].hypot(arm[1]).max(1e-9);
+            take([
+                dial.centre_mm[0] + out * arm[0],
+                dial.centre_mm[1] + out * arm[1],
+            ]);
+        }
+    }
+    if !low[0].is_finite() || !low[1].is_finite() {
+        return [[-1.0, -1.0], [1.0, 1.0]];
+    }
+    let margin = 0.03 * shown.reach_mm;
+    [low.map(|v| v - margin), high.map(|v| v + margin)]
+}
+
+/// Points for each mm where a plot of this size shows all of it.
+pub(crate) fn fitted([low, high]: [[f64; 2]; 2], size: [f64; 2]) -> f64 {
+    let side = |k: usize| size[k] / (high[k] - low[k]).max(1e-9);
+    f64::min(side(0), side(1))
+}
+
+/// The corners of a sector as quadrilaterals, mm.
+pub(crate) fn sector(dial: &Dial, from_rad: f64, to_rad: f64) -> Vec<[[f64; 2]; 4]> {
+    let pieces = ((to_rad - from_rad).abs() / CHORD_RAD)
+        .ceil()
+        .clamp(1.0, 400.0);
+    let at = |k: f64| from_rad + (to_rad - from_rad) * k / pieces;
+    let (inner, outer) = (SECTOR.0 * dial.radius_mm, SECTOR.1 * dial.radius_mm);
+    (0..crate::numeric::whole(pieces))
+        .map(|k| {
+            let (a, b) = (at(k as f64), at(k as f64 + 1.0));
+            [
+                dial.at(a, inner),
+                dial.at(a, outer),
+                dial.at(b, outer),
+                dial.at(b, inner),
+            ]
+        })
+        .collect()
+}
+
+/// The scale's arrow: the deviation that it stands for, mm, such that it is drawn at most
+/// `most_points` long where one mm takes `points_per_mm`.
+pub(crate) fn scale_mm(magnification: f64, points_per_mm: f64, most_points: f64) -> f64 {
+    round_down(most_points / (magnification * points_per_mm))
+}
+
+/// The sample nearest to the pointer, of those within `reach` points of it.
+pub(crate) fn nearest(
+    candidates: impl Iterator<Item = (usize, [f32; 2])>,
+    pointer: [f32; 2],
+    reach: f32,
+) -> Option<usize> {
+    let distance = |p: [f32; 2]| (p[0] - pointer[0]).hypot(p[1] - pointer[1]);
+    candidates
+        .map(|(sample, at)| (sample, distance(at)))
+        .filter(|(_, d)| *d <= reach)
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(sample, _)| sample)
+}
+
+/// So many vectors and points can be told apart where all of the workspace is in sight.
+const APART: [f64; 2] = [1_500.0, 7_500.0];
+
+/// How many points and how many vectors a layer draws: the nearer one looks the more. Points move
+/// apart along both axes; vectors become longer as well, and so fewer of them fit.
+pub(crate) fn counts(shown: &Shown, transform: &PlotTransform) -> [usize; 2] {
+    let [low, high] = shown.measured_mm;
+    let side = |k: usize, points_per_mm: f64, frame: f32| {
+        let drawn = (high[k] - low[k]) * points_per_mm.abs();
+        (drawn / f64::from(frame.max(1.0))).max(1.0)
+    };
+    let frame = transform.frame();
+    let wide = side(0, transform.dpos_dvalue_x(), frame.width());
+    let tall = side(1, transform.dpos_dvalue_y(), frame.height());
+    let most = shown.samples.min(shown.most);
+    let at_most = |apart: f64| {
+        if apart < most as f64 {
+            crate::numeric::whole(apart)
+        } else {
+            most
+        }
+    };
+    let [vectors, points] = APART;
+    let vectors = match shown.vectors {
+        Some(_) => 0.0,
+        None if shown.samples <= FEW => vectors * (wide * tall).sqrt(),
+        None => {
+            let cells = [0, 1].map(|k| (high[k] - low[k]) / side_mm(transform));
+            let over = if shown.along_a_path {
+                cells[0] + cells[1]
+            } else {
+                cells[0] * cells[1]
+            };
+            over.max(1.0)
+        }
+    };
+    [points * wide * tall, vectors].map(at_most)
+}
+
+/// What a layer says when it does not draw everything.
+pub(crate) fn drawn(shown: &Shown, [points, vectors]: [usize; 2]) -> Vec<String> {
+    if shown.vectors.is_some() {
+        return Vec::new();
+    }
+    let one_of = |count: usize| shown.samples.div_ceil(count.max(1));
+    let note = |(count, says): (usize, Template)| {
+        let why = if count == shown.most {
+            say!("this computer draws in software")
+        } else {
+            say!("zoom in for more")
+        };
+        let one_of = one_of(count);
+        (count < shown.samples).then(|| filled(says, &[("one_of", &one_of), ("why", &why)]))
+    };
+    let layers = [
+        (
+            points,
+            phrase!("showing 1 in {one_of} points; {why}"; one_of, why),
+        ),
+        (
+            vectors,
+            phrase!("showing 1 in {one_of} vectors; {why}"; one_of, why),
+        ),
+    ];
+    layers.into_iter().filter_map(note).collect()
+}
+
+/// Many vectors, one to so many points of the screen, so that each can be read: as many as there are cells of a grid
+/// with samples in them, in the order of the cloud, which is spread evenly.
+const CELL: f64 = 14.0;
+
+/// The side of a cell, mm.
+fn side_mm(transform: &PlotTransform) -> f64 {
+    CELL / transform.dpos_dvalue_x().abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::testing::{lamp, workbench, workbench_on};
+    use egui_plot::PlotBounds;
+
+    #[test]
+    fn everything_that_is_drawn_is_within_the_bounds() {
+        let workbench = workbench();
+        let shown = Shown::of(&workbench);
+        let [low, high] = bounds(&shown);
+        let dial = shown.dial.expect("it turns");
+        let handle = dial.at(0.0, HANDLE * dial.radius_mm);
+        let loaded_session = workbench.loaded_session();
+        let flat = |sample: usize| shown.look.facing.flat(loaded_session.measured(sample));
+        for p in (0..loaded_session.len()).map(flat).chain([handle]) {
+            assert!((0..2).all(|k| low[k] <= p[k] && p[k] <= high[k]), "{p:?}");
+        }
+    }
+
+    #[test]
+    fn the_scale_is_round_and_fits() {
+        for magnification in [1.0, 20.0, 500.0] {
+            let mm = scale_mm(magnification, 1.7, 80.0);
+            let drawn = mm * magnification * 1.7;
+            assert!(drawn <= 80.0 + 1e-9 && drawn > 80.0 / 2.6, "{drawn}");
+        }
+    }
+
+    #[test]
+    fn the_nearer_one_looks_the_more_vectors_are_drawn() {
+        let mut shown = Shown::of(&workbench());
+        shown.samples = 1_000_000;
+        let at = |scale: f64| {
+            let frame = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(500.0, 400.0));
+            let bounds = PlotBounds::from_min_max(
+                [-300.0 * scale, -240.0 * scale],
+                [300.0 * scale, 240.0 * scale],
+            );
+            counts(&shown, &PlotTransform::new(frame, bounds, false))
+        };
+        let [points, vectors] = at(1.5);
+        assert!(points == 7_500 && vectors < 100, "{points} {vectors}");
+        let [points, closer] = at(0.1);
+        assert!(
+            points > 100_000 && closer > 10 * vectors,
+            "{points} {closer}"
+        );
+        assert!(at(0.02) > at(0.1));
+        assert_eq!(at(0.000_01), [1_000_000, 1_000_000]);
+        let says = drawn(&shown, at(1.5));
+        assert!(says[1].ends_with(" vectors; zoom in for more"), "{says:?}");
+        assert!(drawn(&shown, [1_000_000; 2]).is_empty());
+    }
+
+    #[test]
+    fn the_nearest_sample_is_found_within_reach_only() {
+        let at = [(7, [0.0, 0.0]), (8, [10.0, 0.0])];
+        assert_eq!(nearest(at.into_iter(), [8.0, 1.0], 12.0), Some(8));
+        assert_eq!(nearest(at.into_iter(), [50.0, 50.0], 12.0), None);
+    }
+
+    #[test]
+    fn a_sector_is_cut_into_pieces_that_cover_it() {
+        let shown = Shown::of(&workbench());
+        let dial = shown.dial.expect("it turns");
+        let pieces = sector(&dial, -0.4, 0.6);
+        let first = pieces.first().expect("at least one");
+        let last = pieces.last().expect("at least one");
+        assert_eq!(first[1], dial.at(-0.4, SECTOR.1 * dial.radius_mm));
+        let end = dial.at(0.6, SECTOR.1 * dial.radius_mm);
+        assert!((last[2][0] - end[0]).abs() < 1e-9);
+    }
+
+    fn transform(scale: f64) -> PlotTransform {
+        let frame = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(500.0, 400.0));
+        let (x, y) = (300.0 * scale, 240.0 * scale);
+        PlotTransform::new(frame, PlotBounds::from_min_max([-x, -y], [x, y]), false)
+    }
+
+    #[test]
+    fn of_many_vectors_one_is_drawn_for_every_cell() {
+        let workbench = workbench_on(lamp(0.05, &[]));
+        let shown = Shown::of(&workbench);
+        let [points, vectors] = super::counts(&shown, &transform(1.0));
+        assert!(
+            points > 2_000 && (30..250).contains(&vectors),
+            "{points} {vectors}"
+        );
+        let [_, closer] = super::counts(&shown, &transform(0.1));
+        assert!(closer > 3 * vectors, "{closer}");
+    }
+}
