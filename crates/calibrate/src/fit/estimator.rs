@@ -38,7 +38,8 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
             break;
         }
         deviations_again(problem, &solution.model, &mut left);
-        let suspected = suspects_beside(problem, &mut left, solution.spectrum.rank());
+        let (rank, covariance) = (solution.spectrum.rank(), || covariance(&solution));
+        let suspected = suspects_beside(problem, &mut left, &solution.model, rank, covariance);
         let kept = problem.fit.iter().zip(&suspected).map(|(f, s)| *f && !*s);
         let used: Vec<bool> = kept.collect();
         let same = used == problem.used;
@@ -73,6 +74,12 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
     solution
 }
 
+/// The covariance of the model's coefficients, without what was fitted beside them.
+fn covariance(solution: &Solution) -> DMatrix<f64> {
+    let own = solution.model.coefficient_count();
+    solution.spectrum.inverse().resize(own, own, 0.0)
+}
+
 /// The same where more than plain points was measured: every kind has its own noise and its own
 /// outliers.
 fn of_all_kinds(problem: &mut Problem, mut solution: Solution) -> Solution {
@@ -80,8 +87,9 @@ fn of_all_kinds(problem: &mut Problem, mut solution: Solution) -> Solution {
         let Some(layer) = problem.observed.as_mut() else {
             break;
         };
-        let rank = solution.spectrum.rank();
-        if solution.stopped == Stopped::Cancelled || !judge(layer, &solution.model, rank) {
+        let (rank, covariance) = (solution.spectrum.rank(), || covariance(&solution));
+        let cancelled = solution.stopped == Stopped::Cancelled;
+        if cancelled || !judge(layer, &solution.model, rank, covariance) {
             break;
         }
         let used = layer.samples_with(&layer.used);

@@ -2,6 +2,8 @@
 //! (two in a planar session), and which of them are suspected outliers. Their RMS error is defined in
 //! `answers::rms_error`.
 
+use nalgebra::DMatrix;
+
 pub use crate::answers::errors::Spread;
 use crate::lanes::LANES;
 use crate::model::Model;
@@ -10,6 +12,7 @@ pub use crate::observations::figures::Deviations;
 use crate::observations::outliers::{as_if_seen, suspected};
 
 use super::problem::Problem;
+use super::regression::Rows;
 
 /// An error above this share of the robot's size is gross: effects leave less, so that it is of the rows, the set-up
 /// or the description. (Derived: a set-up error moves the tool by more than a hundredth of the robot's size.)
@@ -122,20 +125,33 @@ pub(crate) fn rms_mm(problem: &Problem, model: &Model) -> f64 {
 }
 
 /// Like [`suspects`] beside a fit of so many coefficients, which has not seen what it left out: there the
-/// deviations are changed.
+/// deviations are changed. `covariance` is that of the model's coefficients.
 pub(crate) fn suspects_beside(
     problem: &Problem,
     deviations: &mut Deviations,
+    model: &Model,
     rank: usize,
+    covariance: impl FnOnce() -> DMatrix<f64>,
 ) -> Vec<bool> {
-    if problem.session.robot.joints.len() > 1 {
-        let axes = problem.axis_weights.iter().filter(|w| **w > 0.0).count();
-        let used = problem.used.iter().filter(|used| **used).count();
-        let factor = as_if_seen(rank, axes * used);
-        for axis in &mut deviations.axes_mm {
-            let unseen = axis.iter_mut().zip(&problem.used);
-            for (value, _) in unseen.filter(|(_, used)| !**used) {
-                *value *= factor;
+    let used = problem.used.iter().filter(|used| **used).count();
+    if problem.session.robot.joints.len() > 1 && used < problem.used.len() {
+        let unseen: Vec<usize> = (0..problem.used.len())
+            .filter(|i| problem.usable[*i] && !problem.used[*i])
+            .collect();
+        let rows = Rows::of_samples(problem, unseen);
+        let n = rows.samples.len();
+        let seen = rows.axes.len() * used;
+        let columns = rows.extract(model).1;
+        let spread = &columns * covariance();
+        for (at, sample) in rows.samples.iter().enumerate() {
+            let of_axis = |(a, axis): (usize, &usize)| {
+                let row = a * n + at;
+                problem.axis_weights[*axis] * spread.row(row).dot(&columns.row(row))
+            };
+            let sum: f64 = rows.axes.iter().enumerate().map(of_axis).sum();
+            let factor = as_if_seen(rank, seen, sum / rows.axes.len() as f64);
+            for axis in &mut deviations.axes_mm {
+                axis[*sample] *= factor;
             }
         }
     }

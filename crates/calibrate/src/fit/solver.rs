@@ -11,7 +11,7 @@
 //! A long session is solved on evenly spaced blocks first. One pass over all samples from there
 //! is as good as many from afar, and a last pass with the same Gram matrix polishes it.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Role;
 use crate::effects::block::Block;
@@ -261,6 +261,17 @@ pub(crate) fn solution_at(problem: &Problem, solution: &Solution) -> Solution {
         cost,
         ..there
     }
+}
+
+/// The covariance of a model's coefficients where it fits a problem: what no sample determines has none.
+pub(crate) fn covariance_at(problem: &Problem, model: &Model) -> DMatrix<f64> {
+    let state = State {
+        model: model.clone(),
+        extra_coefficients: Vec::new(),
+    };
+    let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
+    let normal = sum(problem, &state, &blocks, Sums::All);
+    spectrum_of(problem, &normal, &state).inverse()
 }
 
 /// The equations of a problem at a solution, with those of its priors.

@@ -1,5 +1,7 @@
 //! What a fit leaves of each kind of measurement: its noise, what stands apart, its errors.
 
+use nalgebra::{DMatrix, DVector};
+
 use crate::lanes::LANES;
 use crate::model::Model;
 
@@ -97,20 +99,28 @@ const SETTLED: f64 = 0.02;
 const CLEARLY: f64 = 3.0;
 
 /// Looks at what a model leaves: outliers of each kind beside its own bulk, and the noise of kinds
-/// whose σ is not stated. `rank` is the number of coefficients that the rows carry. Returns whether
-/// anything that matters has changed.
+/// whose σ is not stated. `rank` is the number of coefficients that the rows carry, `covariance` theirs in units of the
+/// noise times the layer's. Returns whether anything that matters has changed.
 ///
 /// Where several kinds were measured, one whose noise is clearly below what is stated weighs as it is: a
 /// careful figure in the data sheet of one instrument would leave the robot to the other. A noise above the
 /// stated one may be an effect that is still missing, and changes no weight.
-pub fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
+pub fn judge(
+    layer: &mut Layer,
+    model: &Model,
+    rank: usize,
+    covariance: impl FnOnce() -> DMatrix<f64>,
+) -> bool {
     let left = left(layer, model);
     // What the fit has not seen is farther off for that.
-    let factor = as_if_seen(rank, layer.used_rows());
-    let seen = left.rows.iter().zip(&layer.used);
-    let as_seen: Vec<[f64; 3]> = seen
-        .map(|(row, used)| if *used { *row } else { row.map(|e| e * factor) })
-        .collect();
+    let mut as_seen = left.rows.clone();
+    if layer.used.contains(&false) {
+        let rows = layer.used_rows();
+        for (item, leverage) in leverages_of_unseen(layer, model, &covariance()) {
+            let factor = as_if_seen(rank, rows, leverage);
+            as_seen[item] = as_seen[item].map(|e| e * factor);
+        }
+    }
     let marked = outlying(layer, &as_seen);
     let kept = layer
         .fit
@@ -138,6 +148,34 @@ pub fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
         layer.sigma[kind] = now;
     }
     changed
+}
+
+/// Of every item that does not count how much the fit's own error adds to the square of its deviation, in units of the
+/// noise: `tr(J C Jᵀ)/rows`.
+fn leverages_of_unseen(
+    layer: &Layer,
+    model: &Model,
+    covariance: &DMatrix<f64>,
+) -> Vec<(usize, f64)> {
+    let mut leverages = Vec::new();
+    let mut row = DVector::zeros(model.coefficient_count());
+    layer.visit(model, true, |block| {
+        for (lane, item) in block.items.iter().enumerate() {
+            let Some(item) = item.filter(|item| !layer.used[*item]) else {
+                continue;
+            };
+            let own = layer.items[item].rows;
+            let mut sum = 0.0;
+            for axis in 0..own {
+                for (value, column) in row.iter_mut().zip(&block.columns) {
+                    *value = column[axis][lane];
+                }
+                sum += row.dot(&(covariance * &row));
+            }
+            leverages.push((item, sum / own as f64));
+        }
+    });
+    leverages
 }
 
 /// The stated noise of a kind, or what is found where that is clearly less, were all coefficients fitted to

@@ -103,17 +103,18 @@ pub fn are_the_rule(apart: usize, all: usize) -> bool {
     apart as f64 > MOST_SHARE * all as f64
 }
 
-/// What a sample that a fit has not seen deviates by, as if it had: with `h` coefficients for each row
+/// What a sample that a fit has not seen deviates by, as if it had, for each unit:
 ///
 /// ```text
-/// e_seen ≈ σ √(1 − h),   e_unseen ≈ σ √(1 + h)
+/// e_seen ≈ σ √(1 − p/m),   e_unseen ≈ σ √(1 + h),   h = tr(J C Jᵀ)/rows
 /// ```
 ///
-/// on the average of the leverages. Without it a sample that was left out of a short session stays out for being
+/// with p coefficients of m rows, C the covariance of the coefficients and J the columns of the sample, both in units of
+/// the noise (Cook & Weisberg 1982, 2.1). Without it a sample that was left out of a short session stays out for being
 /// left out, and takes others along.
-pub fn as_if_seen(rank: usize, rows: usize) -> f64 {
-    let h = (rank as f64 / rows.max(1) as f64).min(0.9);
-    ((1.0 - h) / (1.0 + h)).sqrt()
+pub fn as_if_seen(rank: usize, rows: usize, leverage: f64) -> f64 {
+    let mean = (rank as f64 / rows.max(1) as f64).min(0.9);
+    ((1.0 - mean) / (1.0 + leverage)).sqrt()
 }
 
 /// Size of one axis: first from the median, then from what is not suspected.

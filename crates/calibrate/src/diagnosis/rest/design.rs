@@ -12,6 +12,9 @@ use crate::sessions::poses::ByPose;
 use crate::side_by_side::Threads;
 use crate::text::Text;
 use nalgebra::{DMatrix, DVector};
+use rand::SeedableRng;
+use rand::seq::SliceRandom;
+use rand_chacha::ChaCha8Rng;
 
 use super::families::Families;
 use super::groups::{NEARLY, Remaining};
@@ -19,12 +22,16 @@ use super::held_out::{HeldOut, Whitened};
 use super::orders::{self, Residual};
 use super::products::Products;
 
+/// Into so many shares the poses are dealt, beside the cells.
+pub(super) const SHARES: usize = 5;
+
 /// A longer session is thinned evenly to so many samples.
 const MOST_SAMPLES: usize = 1500;
 /// Orders that are added at most.
 const MOST_ORDERS: usize = 8;
 
 /// Columns of the geometry and of each family, with their products fold by fold.
+#[derive(Clone)]
 pub(super) struct Design<'a> {
     rows: Rows<'a>,
     noise: Noise,
@@ -36,8 +43,12 @@ pub(super) struct Design<'a> {
     directions: DMatrix<f64>,
     /// The geometry's columns, the families' and the residual, with the rows of the priors below.
     whitened: Whitened,
-    /// By fold.
+    /// By cell and, within it, by share.
     parts: Vec<Products>,
+    /// The share of each sample.
+    share: Vec<usize>,
+    /// The share that nothing is chosen or fitted by.
+    apart: Option<usize>,
     /// Of what is known beforehand.
     products: Option<Products>,
     total: Products,
@@ -150,6 +161,7 @@ impl<'a> Design<'a> {
         let base = kept.len();
         let families = Families::of(&model.robot, &rows.inputs);
         let folds = Folds::over_cells(&rows, model);
+        let share = dealt(&ByPose::of_places(&rows.inputs.q, rows.samples.len()));
         let with = |all: DMatrix<f64>, y: &DVector<f64>| {
             let mut all = all.insert_column(base, 0.0);
             all.set_column(base, y);
@@ -176,6 +188,8 @@ impl<'a> Design<'a> {
         let mut design = Self {
             total: whitened.products(&[]),
             parts: Vec::new(),
+            apart: None,
+            share,
             products: None,
             threads,
             orders: 0,
@@ -214,21 +228,52 @@ impl<'a> Design<'a> {
             Some(products) => products.with(&self.whitened.white, width, rows),
             None => self.whitened.products(rows),
         };
-        let parts: Vec<Products> = self.threads.each(self.folds.count(), |fold| {
-            of(&self.rows_of(fold), self.parts.get(fold))
+        let parts: Vec<Products> = self.threads.each(self.folds.count() * SHARES, |part| {
+            of(&self.rows_of_part(part), self.parts.get(part))
         });
         let known = of(&known, self.products.as_ref());
-        // What was measured counts: an observation may have fewer rows than others.
-        self.total = parts
-            .iter()
-            .fold(known.clone(), |sum, part| sum.and(part, 1.0));
         self.parts = parts;
+        // What was measured counts: an observation may have fewer rows than others.
+        self.total = self
+            .parts_in_play(|_| true)
+            .iter()
+            .fold(known.clone(), |sum, part| sum.and(&self.parts[*part], 1.0));
         self.products = Some(known);
     }
 
-    /// Rows of the samples that are in a fold.
-    fn rows_of(&self, fold: usize) -> Vec<usize> {
-        self.whitened.rows(|sample| self.folds.of(sample) == fold)
+    /// The same without a share, which what is chosen there has not seen.
+    pub(super) fn without(&self, share: usize) -> Self {
+        let mut now = Self {
+            apart: Some(share),
+            ..self.clone()
+        };
+        for cell in 0..self.folds.count() {
+            now.total = now.total.and(&self.parts[cell * SHARES + share], -1.0);
+        }
+        now
+    }
+
+    /// The strengths of no family at all.
+    pub(super) fn none(&self) -> Vec<f64> {
+        vec![0.0; self.families.all.len()]
+    }
+
+    fn parts_in_play(&self, cell: impl Fn(usize) -> bool) -> Vec<usize> {
+        let all = 0..self.folds.count() * SHARES;
+        all.filter(|part| cell(part / SHARES) && Some(part % SHARES) != self.apart)
+            .collect()
+    }
+
+    fn rows_of_part(&self, part: usize) -> Vec<usize> {
+        let (cell, share) = (part / SHARES, part % SHARES);
+        self.whitened
+            .rows(|sample| self.folds.of(sample) == cell && self.share[sample] == share)
+    }
+
+    /// Rows of the samples that are apart.
+    fn rows_apart(&self) -> Vec<usize> {
+        let apart = |share| self.whitened.rows(|sample| self.share[sample] == share);
+        self.apart.map(apart).unwrap_or_default()
     }
 
     fn family_of(&self) -> Vec<usize> {
@@ -282,7 +327,10 @@ impl<'a> Design<'a> {
         let white = &self.whitened.white;
         let (m, last) = (self.rows.len(), white.ncols() - 1);
         let left = white.column(last) - white.columns(0, last) * solved;
-        let left = left.rows(0, m).into_owned();
+        let mut left = left.rows(0, m).into_owned();
+        for row in self.rows_apart() {
+            left[row] = 0.0;
+        }
         let variance = left.norm_squared() / (self.rows.count().max(1) as f64);
         let joints = self.model.robot.joints.len();
         let motions: Vec<usize> = (0..joints).map(|j| j * DIRECTIONS).collect();
@@ -306,8 +354,14 @@ impl<'a> Design<'a> {
 
     /// Every fold by the others, for [`gains`](Self::gains).
     pub(super) fn unseen(&self) -> Option<HeldOut<'_>> {
-        let seen = |fold: usize| (self.rows_of(fold), self.total.and(&self.parts[fold], -1.0));
-        let (folds, samples) = (self.parts.len(), self.folds.samples());
+        let seen = |cell: usize| {
+            let own = self.parts_in_play(|of| of == cell);
+            let rows: Vec<usize> = own.iter().flat_map(|p| self.rows_of_part(*p)).collect();
+            let without = |sum: Products, part: &usize| sum.and(&self.parts[*part], -1.0);
+            (rows, own.iter().fold(self.total.clone(), without))
+        };
+        let folds = self.folds.count();
+        let samples = self.folds.samples();
         HeldOut::new(&self.whitened, &seen, folds, samples, self.threads)
     }
 
@@ -318,6 +372,18 @@ impl<'a> Design<'a> {
             let refined = remaining.refined(&family, strengths.to_vec(), NEARLY)?;
             Some(remaining.solved(&family, &refined)?.coefficients())
         })?;
+        Some(self.gains_of(&squares))
+    }
+
+    /// Squares of the samples that are apart beside families of these strengths, mm²; zero of the others.
+    pub(super) fn squares_apart(&self, strengths: &[f64]) -> Option<Vec<f64>> {
+        let coefficients = self.solved(strengths)?;
+        let (rows, samples) = (self.rows_apart(), self.folds.samples());
+        Some(self.whitened.squares(&rows, &coefficients, samples))
+    }
+
+    /// What squares of every sample without and with families say of these.
+    pub(super) fn gains_of(&self, squares: &[[f64; 2]]) -> Gains {
         let count = self.rows.lengths().max(1) as f64;
         let rms = |k: usize| (squares.iter().map(|s| s[k]).sum::<f64>() / count).sqrt();
         // The rows of a pose share what the robot did not repeat: a pose is one witness.
@@ -329,11 +395,11 @@ impl<'a> Design<'a> {
         let mean = gains.iter().sum::<f64>() / n as f64;
         let spread = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>();
         let sigma = (spread / (n * n) as f64).sqrt().max(f64::MIN_POSITIVE);
-        Some(Gains {
+        Gains {
             before_mm: rms(0),
             after_mm: rms(1),
             sigmas: mean / sigma,
-        })
+        }
     }
 
     /// The terms of a model with these strengths, and what they follow.
@@ -345,6 +411,18 @@ impl<'a> Design<'a> {
         let over = all.filter(|(_, s)| **s > 0.0).map(|(f, _)| f.in_words());
         Some((self.families.terms(own, joints), over.collect()))
     }
+}
+
+/// The share of each sample: places are dealt in an order that has nothing to do with theirs in the file, all samples of
+/// one together.
+fn dealt(places: &ByPose) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..places.first.len()).collect();
+    order.shuffle(&mut ChaCha8Rng::seed_from_u64(0));
+    let mut share = vec![0; order.len()];
+    for (rank, place) in order.into_iter().enumerate() {
+        share[place] = rank % SHARES;
+    }
+    places.to_samples(&share)
 }
 
 /// Below this number of rows beyond what the geometry takes nothing is said.

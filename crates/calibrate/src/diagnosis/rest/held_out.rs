@@ -7,6 +7,7 @@ use super::products::Products;
 use crate::side_by_side::Threads;
 
 /// Rows of the base's columns, of those without a name and of the residual, in this order.
+#[derive(Clone)]
 pub(super) struct Whitened {
     pub(super) white: DMatrix<f64>,
     /// As measured, where whitening is more than a factor.
@@ -31,7 +32,12 @@ impl Whitened {
     }
 
     /// What coefficients leave of rows, mm², added up for each sample.
-    fn squares(&self, rows: &[usize], coefficients: &DVector<f64>, samples: usize) -> Vec<f64> {
+    pub(super) fn squares(
+        &self,
+        rows: &[usize],
+        coefficients: &DVector<f64>,
+        samples: usize,
+    ) -> Vec<f64> {
         let all = self.raw.as_ref().unwrap_or(&self.white);
         let mut left = all.column(all.ncols() - 1).into_owned();
         let own = all.columns(0, coefficients.len());

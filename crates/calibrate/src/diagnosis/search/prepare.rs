@@ -9,6 +9,7 @@ use crate::fit::gap::{Deviations, deviations, suspects_beside};
 use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
+use crate::fit::solver::covariance_at;
 use crate::fit::{
     DEFAULT_EFFECTS, NotIdentifiable, base_model, fit_without_outliers, free_frames, observed,
 };
@@ -180,18 +181,21 @@ impl<'a> PreparedSearch<'a> {
     pub(crate) fn reconsider(&mut self, found: &SearchResult) -> bool {
         let mut now = (*self.problem).clone();
         let mut weighed = false;
+        let rank = found.fit.basis.rank();
+        let covariance = || covariance_at(&self.problem, &found.fit.model);
         if let Some(layer) = &mut now.observed {
             // Beside a shape the observations stay as they were found.
             if found.fit.shapes.is_empty() {
                 let before = layer.sigma.clone();
-                judge(layer, &found.fit.model, found.fit.basis.rank());
+                judge(layer, &found.fit.model, rank, covariance);
                 weighed = layer.sigma != before;
                 now.set_counted(now.counted().to_vec());
             }
         } else {
             let columns = self.table().space.on_all(&self.problem, &found.fit.shapes);
             let mut left = deviations_beside(&self.problem, &columns, &found.fit);
-            let suspected = suspects_beside(&self.problem, &mut left, found.fit.basis.rank());
+            let model = &found.fit.model;
+            let suspected = suspects_beside(&self.problem, &mut left, model, rank, covariance);
             let kept = self.problem.fit.iter().zip(suspected);
             now.used = kept.map(|(fit, suspected)| *fit && !suspected).collect();
         }

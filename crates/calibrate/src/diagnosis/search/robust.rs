@@ -28,6 +28,11 @@ use crate::diagnosis::evidence::Regression;
 
 /// With fewer samples there are no many columns to fit.
 const FEWEST: usize = 20;
+/// The columns are too many where they are more than this share of the rows. (Derived: the mean leverage is then above
+/// ½, a fit follows most of whatever stands apart, and good poses stand apart from that.)
+const MOST_OF_ROWS: f64 = 0.5;
+/// Rows by which a pose that is measured in any number of ways tells where a body is.
+const ROWS_OF_A_BODY: usize = 6;
 /// Rounds of each kind of weights.
 const ROUNDS: [usize; 2] = [3, 6];
 /// Huber's and Tukey's constants for three axes: the 95 % and 99.9 % points of χ.
@@ -64,6 +69,9 @@ pub(crate) fn suspected_beside_many(
     let axes = rows.axes.len();
     let places = ByPose::of_places(&rows.inputs.q, n);
     let share = places.shares();
+    if q.ncols() as f64 > MOST_OF_ROWS * independent_rows(&rows, &places) as f64 {
+        return Vec::new();
+    }
     let mut weights = vec![1.0; n];
     let mut left = residual.clone();
     for (stage, rounds) in ROUNDS.into_iter().enumerate() {
@@ -128,6 +136,16 @@ pub(crate) fn suspected_beside_many(
         .collect();
     let marked = suspected(&columns, &vec![true; n], &sigma, true);
     with(&rows, marked, &condemned)
+}
+
+/// Rows that say something of their own: those of a pose tell no more than where one body is.
+fn independent_rows(rows: &Rows, places: &ByPose) -> usize {
+    let own = |i: usize| {
+        let observed = rows.observed();
+        observed.map_or(rows.axes.len(), |o| o.layer().items[i].rows)
+    };
+    let of_pose = |pose: Vec<usize>| pose.into_iter().map(own).sum::<usize>().min(ROWS_OF_A_BODY);
+    places.samples().into_iter().map(of_pose).sum()
 }
 
 /// What was marked, by sample, and what was not acquitted.
