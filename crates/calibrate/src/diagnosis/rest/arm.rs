@@ -124,3 +124,43 @@ fn chosen(mut design: Design) -> Option<Chosen> {
         likelier,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::JointValues;
+    use crate::fit::base_model;
+    use crate::fit::example::unrepeated;
+    use crate::sessions::Session;
+
+    /// Whatever is measured of the poses that are apart, the same families are chosen, and as strong; the poses themselves
+    /// are predicted by them.
+    #[test]
+    fn poses_that_are_apart_choose_nothing() {
+        let session = unrepeated(2e-3, 3);
+        let with = |session: &Session, share: Option<usize>| {
+            let problem = Problem::observing(session, JointValues::Commanded);
+            let start = base_model::start(session, &problem, |_| true);
+            let noise = Noise::white(0.02);
+            let design = Design::new(&problem, &noise, &start, Threads::ONE).unwrap();
+            let apart = share.map(|share| design.without(share));
+            let places = design.samples_of_share(2);
+            let own = chosen(apart.unwrap_or(design)).unwrap();
+            let squares = own.design.squares_apart(&own.strengths).unwrap();
+            (places, own.strengths, squares.iter().sum::<f64>())
+        };
+        let (apart, strengths, square) = with(&session, Some(2));
+        let mut moved = session.clone();
+        for sample in apart {
+            moved.samples.x_mm[sample] += 5.0;
+        }
+        let (_, now, farther) = with(&moved, Some(2));
+        assert_eq!(strengths.len(), now.len());
+        for (a, b) in strengths.iter().zip(&now) {
+            assert!((a - b).abs() < 0.01 * a, "{strengths:?} {now:?}");
+        }
+        assert!(farther > square + 10.0, "{square} {farther}");
+        let [all, of_moved] = [&session, &moved].map(|session| with(session, None).1);
+        assert!(all.len() != of_moved.len() || of_moved[0] > 1.5 * all[0], "{all:?}");
+    }
+}

@@ -270,6 +270,13 @@ impl<'a> Design<'a> {
             .rows(|sample| self.folds.of(sample) == cell && self.share[sample] == share)
     }
 
+    /// The samples of a share.
+    #[cfg(test)]
+    pub(super) fn samples_of_share(&self, share: usize) -> Vec<usize> {
+        let all = 0..self.share.len();
+        all.filter(|sample| self.share[*sample] == share).collect()
+    }
+
     /// Rows of the samples that are apart.
     fn rows_apart(&self) -> Vec<usize> {
         let apart = |share| self.whitened.rows(|sample| self.share[sample] == share);
