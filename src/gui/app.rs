@@ -15,7 +15,7 @@ use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::{self, LEFT, MIDDLE, Palette, RIGHT, WIDEST, space};
-use crate::gui::views::{blocks, chart, menu, results, status, steps};
+use crate::gui::views::{chart, menu, results, status, steps};
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::write_numbers;
 use crate::text::Language;
@@ -135,6 +135,7 @@ impl App {
         }
         self.workbench.receive();
         self.keep_preferences(ui.ctx());
+        self.workbench.keep_drawing();
         self.keep_time(ui.ctx());
         widgets::read_next(ui.ctx());
         actions::read(ui.ctx(), &self.workbench);
@@ -149,7 +150,6 @@ impl App {
         if self.workbench.receive() || any {
             ui.ctx().request_repaint();
         }
-        blocks::chart(ui, &mut self.workbench);
     }
 
     /// Chooses the language for this frame.

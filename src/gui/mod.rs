@@ -56,6 +56,7 @@ mod view;
 mod views {
     pub(crate) mod blocks;
     pub(super) mod chart;
+    mod copies;
     mod coverage;
     mod export;
     mod gap;

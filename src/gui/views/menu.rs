@@ -9,7 +9,7 @@ use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST};
 use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::widgets::{self, Does};
+use crate::gui::widgets::{self, Buttons, Does};
 use crate::gui::workbench::Workbench;
 
 /// Width of the menus, points.
@@ -80,11 +80,11 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
             let says = actions::results_says(open);
             let side = widgets::icon(widgets::SIDE);
             let button = if open {
-                widgets::bare_button(ui, side, says)
+                ui.bare_button(side, says)
             } else {
                 let name = RichText::new(say!("Results")).font(strong(size::SMALL));
                 let name = name.color(Palette::of(ui).accent);
-                widgets::bare_button(ui, (name, side), says)
+                ui.bare_button((name, side), says)
             };
             button
                 .on_hover_text(says)
@@ -95,7 +95,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
 
 /// Back, or forth.
 fn history(ui: &mut Ui, sign: &str, enabled: bool, says: &str) -> Response {
-    let button = ui.add_enabled_ui(enabled, |ui| widgets::icon_button(ui, sign, says));
+    let button = ui.add_enabled_ui(enabled, |ui| ui.icon_button(sign, says));
     let button = button.inner.on_hover_text(says);
     button.on_disabled_hover_text(says)
 }

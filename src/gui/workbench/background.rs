@@ -126,15 +126,12 @@ impl Workbench {
     pub(super) fn take_opened(&mut self, opened: Result<Opened, Message>) {
         match opened {
             Ok(Opened::Session(loaded_session)) => {
-                self.open_session(loaded_session);
+                self.edit(|document| Ok(document.open(loaded_session)));
             }
             Ok(Opened::Foreign(draft)) => self.ask_about(draft),
             Ok(Opened::Model(given)) => {
                 let beside = self.has_a_session_for(&given);
-                self.edit(phrase!("open model"), |document| {
-                    document.open_model(given, beside);
-                    Ok(())
-                });
+                self.edit(|document| Ok(document.open_model(given, beside)));
             }
             Err(message) => self.take_written(message),
         }

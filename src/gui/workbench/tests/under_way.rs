@@ -239,9 +239,7 @@ fn an_export_while_the_answer_is_worked_out_anew_says_so_or_writes_what_is_shown
     bench.execute(|bench| bench.export_as(What::Table, path.clone(), false));
     // Another answer is asked for while the table is written.
     bench.execute(|bench| {
-        bench.edit(phrase!("choose effects"), |document| {
-            document.choose_effect("backlash", false)
-        });
+        bench.edit(|document| document.choose_effect("backlash", false));
     });
     until(&mut bench, idle);
     assert!(path.exists());
