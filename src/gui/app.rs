@@ -89,7 +89,7 @@ impl App {
     #[must_use]
     pub fn drawn_by(mut self, state: Option<&egui_wgpu::RenderState>) -> Self {
         if let Some(state) = state {
-            self.workbench.draw_at_most(layers::gpu::register(state));
+            self.workbench.view.most_drawn = layers::gpu::register(state);
         }
         self
     }
@@ -97,7 +97,7 @@ impl App {
     /// Takes this for the answer of every dialog of the system; `None` is one that was cancelled.
     #[must_use]
     pub fn choosing(mut self, chooser: Arc<dyn Fn() -> Option<PathBuf> + Send + Sync>) -> Self {
-        self.workbench.choose_by(chooser);
+        self.workbench.chooser = Some(chooser);
         self
     }
 
@@ -114,7 +114,7 @@ impl App {
     /// Proposes this date for reports; none unless it is said.
     #[must_use]
     pub fn on_day(mut self, date: Option<String>) -> Self {
-        self.workbench.propose_date(date);
+        self.workbench.file_state.today = date;
         self
     }
 

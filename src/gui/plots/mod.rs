@@ -47,7 +47,7 @@ pub(crate) fn axis<'a>(
     palette: &Palette,
     shown: impl Fn(f64) -> f64 + 'a,
 ) -> Vec<AxisHints<'a>> {
-    let label = RichText::new(label).size(size::SMALL).color(palette.muted);
+    let label = RichText::new(label).small().weak();
     let room = match axis {
         Axis::X => Rangef::new(34.0, 56.0),
         Axis::Y => Rangef::new(18.0, 28.0),
@@ -316,7 +316,7 @@ pub(crate) fn fit(ui: &mut Ui, name: &str) -> bool {
         ui.bold(name);
         for (how, what) in GESTURES {
             let says = format!("{}: {}", spoken(how), spoken(what));
-            ui.label(RichText::new(says).size(size::SMALL));
+            ui.label(RichText::new(says).small());
         }
     });
     response.clicked()

@@ -221,7 +221,7 @@ fn list<T: Copy + PartialEq + Send + 'static, N: AsRef<str>>(
     does: impl FnOnce(&mut Workbench, T) + Send + 'static,
 ) {
     let list = ComboBox::from_id_salt(of)
-        .selected_text(egui::RichText::new(shown).size(size::SMALL))
+        .selected_text(egui::RichText::new(shown).small())
         .width(0.0)
         .height(360.0);
     let chosen = widgets::list(ui, of, list, offered, current);

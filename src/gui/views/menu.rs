@@ -101,7 +101,7 @@ fn history(ui: &mut Ui, sign: &str, enabled: bool, says: &str) -> Response {
 }
 
 fn name(ui: &mut Ui, workbench: &Workbench) {
-    let palette = Palette::of(ui);
+    let _palette = Palette::of(ui);
     let loaded_session = workbench.loaded_session();
     let title = RichText::new(&loaded_session.session.name).font(strong(size::BODY));
     let title = ui.add(Label::new(title).truncate());
@@ -132,7 +132,7 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
     // Of a short name a few letters would say nothing.
     let room = ui.available_width();
     if wide <= room || room > LEAST_ORIGIN {
-        let says = RichText::new(says).size(size::SMALL).color(palette.muted);
+        let says = RichText::new(says).small().weak();
         ui.add(Label::new(says).truncate());
     } else {
         title.on_hover_text(says);

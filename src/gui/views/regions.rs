@@ -2,11 +2,11 @@
 
 use egui::{Align, Button, DragValue, Layout, RichText, Ui, vec2};
 
-use crate::gui::core::document::Method;
+use crate::gui::core::document::{Document, Method};
 use crate::gui::core::regions::Division;
 use crate::gui::core::regions::{self, Count, End, SNAP_DEG};
 use crate::gui::help;
-use crate::gui::style::{Palette, size, space};
+use crate::gui::style::{Palette, space};
 use crate::gui::view::Step;
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
@@ -67,7 +67,7 @@ fn division(ui: &mut Ui, workbench: &Workbench) {
     match chosen {
         Some(0) => workbench.edits(move |document| document.divide(number)),
         Some(1) if present > 0 => workbench.edits(|document| Ok(document.keep_regions())),
-        Some(1) => workbench.edits(super::super::core::document::Document::regions_of_session),
+        Some(1) => workbench.edits(Document::regions_of_session),
         Some(_) => workbench.then(Workbench::adapt),
         None => {}
     }
@@ -113,12 +113,8 @@ fn own(ui: &mut Ui, workbench: &Workbench) {
         return;
     }
     let button = ui.button(say!("Reset to session"));
-    if button
-        .on_hover_text(say!("take the regions that the session brings along"))
-        .clicked()
-    {
-        workbench.edits(super::super::core::document::Document::regions_of_session);
-    }
+    let button = button.on_hover_text(say!("take the regions that the session brings along"));
+    button.does(workbench, |bench| bench.edit(Document::regions_of_session));
 }
 
 /// There are no regions, and what that means.
@@ -213,8 +209,7 @@ fn rows(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     ];
     ui.horizontal(|ui| {
         for (k, (head, width)) in heads.into_iter().zip(columns).enumerate() {
-            let muted = Palette::of(ui).muted;
-            let head = RichText::new(head).size(size::SMALL).color(muted);
+            let head = RichText::new(head).small().weak();
             // The head of the samples ends where their numbers end.
             let layout = if k < 3 {
                 Layout::left_to_right(Align::Center)
@@ -237,9 +232,8 @@ fn rows(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
             more(ui, regions, k, workbench);
         });
         if let Some(says) = few(counts[k]) {
-            let warning = Palette::of(ui).warning;
-            let says = RichText::new(say!("Warning: {says}", says)).size(size::SMALL);
-            ui.add(egui::Label::new(says.color(warning)).wrap());
+            let says = RichText::new(say!("Warning: {says}", says)).small();
+            ui.colored_label(Palette::of(ui).warning, says);
         }
     }
     if regions.len() > MOST_LISTED {
@@ -306,8 +300,7 @@ fn few(count: Count) -> Option<String> {
 fn name(ui: &mut Ui, region: usize, name: &str, workbench: &Workbench) {
     let says = say!("Name of region {name}", name);
     let size = vec2(COLUMNS[0], HEIGHT);
-    let typed = widgets::text_when_complete(ui, &says, name, size);
-    if let Some(text) = typed {
+    if let Some(text) = widgets::text_when_complete(ui, &says, name, size) {
         workbench.edits(move |document| document.rename(region, &text));
     }
 }

@@ -181,7 +181,7 @@ fn heading(header: &mut TableRow<'_, '_>, head: &str, by: usize, sorting: Sortin
         let narrow = ui.available_width() < ROOM_FOR_UNITS;
         let shown = head.replacen(", ", if narrow { "\n" } else { ", " }, 1);
         // A click on the words sorts as well.
-        let head = RichText::new(shown).size(size::SMALL).color(color);
+        let head = RichText::new(shown).small().color(color);
         let head = egui::Label::new(head).selectable(false).wrap();
         ui.add(head.halign(Align::Max));
         if let Some(descending) = sorted {

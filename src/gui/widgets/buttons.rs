@@ -260,7 +260,7 @@ fn segment(ui: &mut Ui, palette: Palette, name: &str, meant: &str, on: bool) -> 
     let text = if on {
         text.font(strong(size::SMALL)).color(palette.accent)
     } else {
-        text.size(size::SMALL).color(palette.muted)
+        text.small().weak()
     };
     let (rest, edge) = if on {
         (palette.surface, palette.outline)

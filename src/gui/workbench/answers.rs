@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use egui::TextureHandle;
 use nalgebra::{Isometry3, Vector3};
 
 use crate::compensation::decision::FittedErrors;
@@ -16,12 +15,13 @@ use crate::gui::cache::{
 };
 use crate::gui::charts::Scene;
 use crate::gui::charts::effect::sketches;
-use crate::gui::core::answer::{Answer, LoadedModel, Question, Search, term_of};
+use crate::gui::core::answer::{Answer, LoadedModel, Question};
 use crate::gui::core::document::Method;
 use crate::gui::core::overview::{FEW, measuring_from_base};
+use crate::gui::core::search::{Search, term_of};
 use crate::gui::jobs::{Kind, Slot, Watch};
 use crate::gui::view::{Facing, Message, Sorting, Step};
-use crate::gui::workbench::{Derived, HeatLook, Workbench};
+use crate::gui::workbench::{Derived, Workbench};
 use crate::present::numbers::{grouped, notation, write_numbers};
 use crate::text::current;
 
@@ -140,15 +140,6 @@ impl Workbench {
 
     fn shows_heat(&self) -> bool {
         self.view.heat && !self.view.in_space()
-    }
-
-    /// The heat map as it is looked at, made anew where it changes.
-    pub(crate) fn heat_picture(
-        &self,
-        of: HeatLook,
-        make: impl FnOnce() -> TextureHandle,
-    ) -> TextureHandle {
-        self.derived.heat_picture.get(of, make)
     }
 
     /// What is left of the deviations, as it is uploaded.
@@ -347,11 +338,6 @@ impl Workbench {
             // How far outside the tolerance.
             _ => after.unwrap_or(before),
         }
-    }
-
-    /// So many samples can be drawn at once.
-    pub(crate) fn draw_at_most(&mut self, most: usize) {
-        self.view.most_drawn = most;
     }
 
     /// Asks for what the plots stand on, if it is not there and not on its way.

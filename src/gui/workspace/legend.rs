@@ -78,7 +78,7 @@ pub(super) const LOW: f32 = 330.0;
 
 /// A word that shows what the marks mean when it is pressed.
 fn folded(ui: &mut Ui, marks: impl FnOnce(&mut Ui)) {
-    let word = RichText::new(say!("legend")).size(size::SMALL);
+    let word = RichText::new(say!("legend")).small();
     let word = ui.add(Link::new(word));
     Popup::menu(&word)
         .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
