@@ -193,7 +193,7 @@ fn lines(ui: &mut Ui, changed: &[Changed]) {
                 for (text, color) in cells {
                     row.col(|ui| {
                         let shown = RichText::new(&text).monospace().color(color);
-                        let label = egui::Label::new(shown.small()).truncate();
+                        let label = egui::Label::new(shown.size(size::SMALL)).truncate();
                         ui.add(label);
                     });
                 }

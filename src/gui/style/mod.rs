@@ -535,6 +535,6 @@ mod tests {
         }
         assert!(found.is_empty(), "{}", found.join("\n"));
         assert!(has_a_literal("text.size(12.0)") && has_a_literal("Color32::from_rgb(1, 2, 3)"));
-        assert!(!has_a_literal("text.small()"));
+        assert!(!has_a_literal("text.size(size::SMALL)"));
     }
 }

@@ -2,7 +2,7 @@
 
 use egui::containers::menu::MenuButton;
 use egui::{
-    Align, Button, FontId, Id, Label, Layout, MenuBar, Popup, Response, RichText, ScrollArea, Ui,
+    Align, Button, FontId, Label, Layout, MenuBar, Popup, Response, RichText, ScrollArea, Ui,
 };
 
 use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST};
@@ -146,22 +146,12 @@ fn items(ui: &mut Ui, workbench: &Workbench, actions: &[Action]) {
     }
 }
 
-/// Which menu was open in the frame before, and which the pointer has opened, and when.
-#[derive(Debug, Clone, Copy, Default)]
-struct Open {
-    now: Option<Id>,
-    by_pointer: Option<(Id, f64)>,
-}
-
 /// A click so soon after the pointer has opened a menu is meant to open it, seconds.
 const SOON_S: f64 = 2.0;
 
-/// A header of the bar. While one menu is open the pointer opens the others, and a click that comes
-/// with the pointer does not close again what the pointer has just opened.
+/// A header of the bar. While one menu is open the pointer opens the others; a click that comes with the pointer does
+/// not close again what the pointer has just opened.
 fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
-    let key = Id::unique("open menu");
-    let mut open: Open = ui.data(|data| data.get_temp(key)).unwrap_or_default();
-    let time = ui.input(|input| input.time);
     // In a low window, or with large text, a menu is higher than what is below its header.
     let high = ui.ctx().content_rect().bottom() - ui.max_rect().bottom() - AROUND_MENU;
     let (response, shown) = MenuButton::new(name).ui(ui, |ui| {
@@ -171,23 +161,25 @@ fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
             widgets::focus_in_sight(ui);
         });
     });
-    let id = Popup::default_response_id(&response);
-    let another = open.now.is_some_and(|now| now != id);
-    let soon = |(opened, at): (Id, f64)| opened == id && time - at <= SOON_S;
-    let meant = response.clicked() && open.by_pointer.is_some_and(soon);
-    if response.hovered() && another || meant {
+    let (id, now) = (
+        Popup::default_response_id(&response),
+        ui.input(|input| input.time),
+    );
+    let since: Option<f64> = ui.data(|data| data.get_temp(id));
+    if response.clicked() && since.is_some_and(|since| now - since <= SOON_S) {
         Popup::open_id(ui.ctx(), id);
         ui.ctx().request_repaint();
-        open.now = Some(id);
-        if !meant {
-            open.by_pointer = Some((id, time));
-        }
-    } else if shown.is_some() {
-        open.now = Some(id);
-    } else if open.now == Some(id) {
-        open = Open::default();
+    } else if shown.is_none() {
+        ui.data_mut(|data| data.remove::<f64>(id));
+    } else if since.is_none() {
+        // What a click has opened another closes.
+        let since = if response.clicked() {
+            f64::NEG_INFINITY
+        } else {
+            now
+        };
+        ui.data_mut(|data| data.insert_temp(id, since));
     }
-    ui.data_mut(|data| data.insert_temp(key, open));
 }
 
 fn file(ui: &mut Ui, workbench: &Workbench) {

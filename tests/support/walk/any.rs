@@ -10,7 +10,7 @@ use crate::diagnosis::SessionCorrection;
 use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
 use crate::gui::core::compensated::CompensationRequest;
-use crate::gui::core::document::{ExportChoice, Method};
+use crate::gui::core::document::{Document, ExportChoice, Method};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::search::term_of;
@@ -194,7 +194,7 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
             )
         }
         18 => deed("RegionsOfSession", (), |bench, ()| {
-            bench.edit(crate::gui::core::document::Document::regions_of_session);
+            bench.edit(Document::regions_of_session);
         }),
         19 => deed("KeepRegions", (), |bench, ()| {
             bench.edit(|d| Ok(d.keep_regions()));
