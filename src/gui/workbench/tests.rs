@@ -12,9 +12,9 @@ use crate::gui::core::regions::boundaries;
 
 use crate::export::EXPORTERS;
 use crate::fit::Estimate;
-use crate::gui::core::answer;
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
+use crate::gui::core::search::terms;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::testing::workbench;
@@ -54,7 +54,7 @@ fn all_that_a_search_found_is_one_model_to_the_last_bit_wherever_it_goes() {
     workbench.receive();
     let found = workbench.diagnosis().expect("it was searched").clone();
     assert!(!found.found.is_empty());
-    let terms: Vec<_> = answer::terms(&found).into_iter().flatten().collect();
+    let terms: Vec<_> = terms(&found).into_iter().flatten().collect();
     done(&mut workbench, |bench| bench.edit(|d| d.add(&terms)));
     let all = found.calibration(&workbench.loaded_session().session);
     let answer = workbench.answer().expect("it is identified");
