@@ -374,7 +374,7 @@ fn excluding_a_sample_keeps_the_sample_and_not_the_session() {
     let mut before = Vec::new();
     for sample in 1..=4 {
         done(&mut workbench, |bench| {
-            bench.edit(|d| d.exclude(&[sample], true))
+            bench.edit(|d| d.exclude(&[sample], true));
         });
         before.push(Arc::downgrade(workbench.loaded_session()));
     }
