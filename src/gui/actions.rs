@@ -12,6 +12,7 @@ use crate::gui::core::simulate::Form;
 use crate::gui::style::Layout;
 use crate::gui::view::{About, Plane, Sheet, What};
 use crate::gui::view::{Preferences, Theme};
+use crate::gui::widgets::Buttons;
 use crate::gui::workbench::Workbench;
 
 fn looks_at(now: &Workbench, plane: Plane) -> bool {
@@ -86,6 +87,21 @@ impl Action {
             ui.close();
         }
         response
+    }
+
+    /// Itself as a button in a panel.
+    pub(crate) fn button(&self, ui: &mut Ui, workbench: &Workbench) {
+        if ui.secondary(&self.label(workbench)).clicked() {
+            self.ask_for(ui.ctx(), workbench);
+        }
+    }
+
+    /// Itself as what comes next.
+    pub(crate) fn next(&self, ui: &mut Ui, workbench: &Workbench) {
+        let button = |ui: &mut Ui| ui.primary(&self.label(workbench)).clicked();
+        if ui.add_enabled_ui((self.enabled)(workbench), button).inner {
+            self.ask_for(ui.ctx(), workbench);
+        }
     }
 
     /// Its keys as a menu shows them.
@@ -168,7 +184,10 @@ actions! {
     CANCEL: COMMAND, Period, |_| say!("Cancel what is running").into(), |bench, _| bench.cancel_newest(),
         [when(|now| now.jobs().newest().is_some())];
     EXCLUDE: PLAIN, Delete, exclude_says,
-        |bench, _| bench.exclude(&bench.view.chosen(), !are_excluded(bench)),
+        |bench, _| {
+            let (chosen, out) = (bench.view.chosen(), !are_excluded(bench));
+            bench.edit(|document| document.exclude(&chosen, out));
+        },
         [when(|now| !now.view.chosen().is_empty())];
     PREFERENCES: COMMAND, Comma, |_| say!("Preferences…").into(),
         |bench, _| bench.show_sheet(Some(Sheet::Named("preferences")));

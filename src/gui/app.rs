@@ -15,7 +15,7 @@ use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::{self, LEFT, MIDDLE, Palette, RIGHT, WIDEST, space};
-use crate::gui::views::{blocks, chart, menu, results, status, steps};
+use crate::gui::views::{chart, menu, results, status, steps};
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::write_numbers;
 use crate::text::Language;
@@ -89,7 +89,7 @@ impl App {
     #[must_use]
     pub fn drawn_by(mut self, state: Option<&egui_wgpu::RenderState>) -> Self {
         if let Some(state) = state {
-            self.workbench.draw_at_most(layers::gpu::register(state));
+            self.workbench.view.most_drawn = layers::gpu::register(state);
         }
         self
     }
@@ -97,7 +97,7 @@ impl App {
     /// Takes this for the answer of every dialog of the system; `None` is one that was cancelled.
     #[must_use]
     pub fn choosing(mut self, chooser: Arc<dyn Fn() -> Option<PathBuf> + Send + Sync>) -> Self {
-        self.workbench.choose_by(chooser);
+        self.workbench.chooser = Some(chooser);
         self
     }
 
@@ -114,7 +114,7 @@ impl App {
     /// Proposes this date for reports; none unless it is said.
     #[must_use]
     pub fn on_day(mut self, date: Option<String>) -> Self {
-        self.workbench.propose_date(date);
+        self.workbench.file_state.today = date;
         self
     }
 
@@ -135,6 +135,7 @@ impl App {
         }
         self.workbench.receive();
         self.keep_preferences(ui.ctx());
+        self.workbench.keep_drawing();
         self.keep_time(ui.ctx());
         widgets::read_next(ui.ctx());
         actions::read(ui.ctx(), &self.workbench);
@@ -149,7 +150,6 @@ impl App {
         if self.workbench.receive() || any {
             ui.ctx().request_repaint();
         }
-        blocks::chart(ui, &mut self.workbench);
     }
 
     /// Chooses the language for this frame.

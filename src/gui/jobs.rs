@@ -284,26 +284,18 @@ impl Kind {
     }
 }
 
-/// What follows from something else.
-pub(crate) trait Follows {
-    type Of: PartialEq + Clone;
-
-    /// What it was worked out of.
-    fn of(&self) -> &Self::Of;
-}
-
 /// What follows from something that changes faster than it can be worked out: one at a time, and the latest after it.
 /// One that was cancelled is not begun again by itself.
 #[derive(Debug)]
-pub(crate) struct Slot<V: Follows> {
-    made: Option<Arc<V>>,
+pub(crate) struct Slot<K, V> {
+    made: Option<(K, V)>,
     busy: bool,
     /// Of what it was wanted last.
-    wanted: Option<V::Of>,
-    declined: Option<V::Of>,
+    wanted: Option<K>,
+    declined: Option<K>,
 }
 
-impl<V: Follows> Default for Slot<V> {
+impl<K, V> Default for Slot<K, V> {
     fn default() -> Self {
         Self {
             made: None,
@@ -314,20 +306,15 @@ impl<V: Follows> Default for Slot<V> {
     }
 }
 
-impl<V: Follows> Slot<V> {
-    /// What was worked out last, be it of what was there before.
-    pub(crate) fn made(&self) -> Option<&Arc<V>> {
+impl<K: PartialEq + Clone, V> Slot<K, V> {
+    /// What was worked out last, with what it was worked out of, be it what was there before.
+    pub(crate) fn made(&self) -> Option<&(K, V)> {
         self.made.as_ref()
     }
 
-    /// Whether something is under way.
-    pub(crate) fn busy(&self) -> bool {
-        self.busy
-    }
-
     /// It is wanted of this: whether it is to be begun now.
-    pub(crate) fn want(&mut self, of: &V::Of) -> bool {
-        let there = self.made.as_ref().is_some_and(|made| made.of() == of);
+    pub(crate) fn want(&mut self, of: &K) -> bool {
+        let there = self.made.as_ref().is_some_and(|(made, _)| made == of);
         if there || self.declined.as_ref() == Some(of) {
             return false;
         }
@@ -337,9 +324,9 @@ impl<V: Follows> Slot<V> {
     }
 
     /// It is there; what there was before.
-    pub(crate) fn take(&mut self, made: V) -> Option<Arc<V>> {
+    pub(crate) fn take(&mut self, of: K, made: V) -> Option<(K, V)> {
         self.busy = false;
-        self.made.replace(Arc::new(made))
+        self.made.replace((of, made))
     }
 
     /// What was wanted last is cancelled.
@@ -349,7 +336,7 @@ impl<V: Follows> Slot<V> {
     }
 
     /// Of what it was cancelled.
-    pub(crate) fn declined(&self) -> Option<&V::Of> {
+    pub(crate) fn declined(&self) -> Option<&K> {
         self.declined.as_ref()
     }
 

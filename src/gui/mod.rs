@@ -29,6 +29,7 @@ mod charts;
 /// What the window works on, without a view and without anything that is drawn.
 mod core {
     pub(crate) mod answer;
+    pub(crate) mod choices;
     pub(crate) mod compensated;
     pub(crate) mod disk;
     pub(crate) mod document;
@@ -38,6 +39,7 @@ mod core {
     pub(crate) mod quantity;
     pub(crate) mod regions;
     pub(crate) mod robot_table;
+    pub(crate) mod search;
     pub(crate) mod setup;
     pub(crate) mod simulate;
     pub(crate) mod skeleton;
@@ -56,6 +58,7 @@ mod view;
 mod views {
     pub(crate) mod blocks;
     pub(super) mod chart;
+    mod copies;
     mod coverage;
     mod export;
     mod gap;

@@ -5,8 +5,9 @@
 //! share_i = i / n,      |e|_1 ≤ |e|_2 ≤ …
 //! ```
 
+use std::sync::Arc;
+
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
-use crate::gui::cache::{Work, WorkKey};
 use crate::gui::help::Word;
 use crate::present::chart::{Axis, Chart, ColourRole, Entry, Item, LEAST_SPAN, LegendSymbol};
 use crate::present::table::{Cell, Table};
@@ -28,17 +29,8 @@ impl ChartKind for Cumulative {
         About::new("cumulative deviations", names, word, ChartChoice::Component)
     }
 
-    fn work(&self, scene: &Scene) -> Option<Work> {
-        let component = scene.component;
-        let key = WorkKey::Chart(self.about().id, component, Vec::new());
-        Some(Work::new(key, move |given| {
-            let (before, after) = given.values(&given.usable(), component);
-            Sorted::of(after.unwrap_or(before))
-        }))
-    }
-
-    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
-        let sorted: &Sorted = scene.found().ok_or_else(ChartPlaceholder::yet)?;
+    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
+        let sorted = Sorted::of_what_is_left(scene);
         if sorted.0.is_empty() {
             return Err(ChartPlaceholder::new(
                 say!("No sample can be counted"),
@@ -56,16 +48,23 @@ impl ChartKind for Cumulative {
 
     fn numbers(&self, scene: &Scene) -> Table {
         let mut table = Table::headed("share | deviation, mm");
-        let sorted: Option<&Sorted> = scene.found();
-        let n = sorted.map_or(0, |sorted| sorted.0.len());
-        for (i, mm) in sorted.iter().flat_map(|sorted| &sorted.0).enumerate() {
-            table.row([Cell::from((i + 1) as f64 / n as f64), (*mm).into()]);
+        let sorted = Sorted::of_what_is_left(scene).0;
+        for (i, mm) in sorted.iter().enumerate() {
+            table.row([
+                Cell::from((i + 1) as f64 / sorted.len() as f64),
+                (*mm).into(),
+            ]);
         }
         table
     }
 }
 
 impl Sorted {
+    fn of_what_is_left(scene: &Scene) -> Self {
+        let (before, after) = scene.values(&scene.usable().collect::<Vec<_>>());
+        Self::of(after.unwrap_or(before))
+    }
+
     fn of(values: Vec<f64>) -> Self {
         let mut sizes: Vec<f64> = values.into_iter().map(f64::abs).collect();
         sizes.retain(|size| size.is_finite());

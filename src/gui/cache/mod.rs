@@ -2,12 +2,8 @@
 //! stand on: the heat map, what the charts are made of. A few samples are simply looked at
 //! anew in every frame, so that nothing has to be waited for.
 
-use std::any::Any;
 use std::cell::RefCell;
-use std::fmt;
 use std::sync::{Arc, OnceLock};
-
-use cloud::Heat;
 
 use crate::compensation::decision::{FittedErrors, MeasuredDeviation};
 use crate::compensation::{self, VerifiedCalibration};
@@ -18,15 +14,12 @@ use crate::fit::gap::Spread;
 use crate::gui::cache::cloud::{Cloud, Remainder};
 use crate::gui::core::answer::{Answer, Question, QuestionDetails, answer};
 use crate::gui::core::document::ExportChoice;
-use crate::gui::core::loaded_session::{Component, LoadedSession};
+use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::overview::Readable;
-use crate::gui::core::quantity::Over;
-use crate::gui::jobs::{Follows, Watch};
-use crate::gui::view::Plane;
+use crate::gui::jobs::Watch;
 use crate::language::spoken;
 use crate::numeric::Ascending;
 use crate::pipeline;
-use crate::sessions::Session;
 use crate::standards::Standards;
 use crate::text::Text;
 
@@ -38,21 +31,6 @@ pub(crate) mod points;
 pub(crate) struct PlotInputs {
     pub(crate) loaded_session: Arc<LoadedSession>,
     pub(crate) identified: Option<Arc<IdentifiedAnswer>>,
-}
-
-/// Something that was worked out.
-#[derive(Debug)]
-pub(crate) struct Made {
-    pub(crate) inputs: PlotInputs,
-    pub(crate) result: ChartResult,
-}
-
-impl Follows for Made {
-    type Of = PlotInputs;
-
-    fn of(&self) -> &PlotInputs {
-        &self.inputs
-    }
 }
 
 /// What was worked out last, and of what: the same is not worked out again.
@@ -77,101 +55,6 @@ impl<K: PartialEq, V: Clone> Memo<K, V> {
 impl PlotInputs {
     pub(crate) fn answer(&self) -> Option<&Answer> {
         self.identified.as_ref()?.answer.as_ref().ok()
-    }
-
-    /// Samples that can be used.
-    pub(crate) fn usable(&self) -> Vec<usize> {
-        let usable = self.loaded_session.overview.usable.iter();
-        usable.map(|sample| *sample as usize).collect()
-    }
-
-    /// A component of some samples' deviations before, and after where it is known.
-    pub(crate) fn values(
-        &self,
-        samples: &[usize],
-        component: Component,
-    ) -> (Vec<f64>, Option<Vec<f64>>) {
-        let of = |deviation: &dyn Fn(usize) -> [f64; 3]| {
-            let value = |i: &usize| self.loaded_session.component(deviation(*i), *i, component);
-            samples.iter().map(value).collect::<Vec<f64>>()
-        };
-        let before = of(&|i| self.loaded_session.deviation_before(i));
-        let after = self
-            .answer()
-            .map(|answer| of(&|i| answer.deviation_after(i)));
-        (before, after)
-    }
-}
-
-/// What came of it.
-pub(crate) type ChartResult = Arc<dyn Any + Send + Sync>;
-
-type Make = dyn Fn(&PlotInputs) -> ChartResult + Send + Sync;
-
-/// What it is that is worked out.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum WorkKey {
-    /// The error over a plane.
-    Heat(Plane),
-    /// The standards' figures.
-    Figures(Option<FittedErrors>),
-    /// Where samples are, a component of the deviation over a quantity.
-    Places(Over, Component),
-    /// What a chart of this name has of a component, and of what else tells it from others.
-    Chart(&'static str, Component, Vec<usize>),
-}
-
-/// Something that is worked out in the background. Two are the same if they have the same key.
-#[derive(Clone)]
-pub(crate) struct Work {
-    pub(crate) key: WorkKey,
-    make: Arc<Make>,
-}
-
-impl Work {
-    pub(crate) fn new<T: Any + Send + Sync>(
-        key: WorkKey,
-        make: impl Fn(&PlotInputs) -> T + Send + Sync + 'static,
-    ) -> Self {
-        let make = Arc::new(move |given: &PlotInputs| Arc::new(make(given)) as ChartResult);
-        Self { key, make }
-    }
-
-    /// Works it out. Takes its time with many samples.
-    pub(crate) fn made(&self, inputs: PlotInputs) -> Made {
-        Made {
-            result: (self.make)(&inputs),
-            inputs,
-        }
-    }
-
-    /// The standards' figures, by the errors of a diagnosis where there is one.
-    pub(crate) fn figures(diagnosed: Option<FittedErrors>) -> Self {
-        let make = move |given: &PlotInputs| {
-            figures(&given.loaded_session.session, given.answer(), diagnosed)
-        };
-        Self::new(WorkKey::Figures(diagnosed), make)
-    }
-
-    /// The heat map of a plane.
-    pub(crate) fn heat(plane: Plane) -> Self {
-        let make = move |given: &PlotInputs| {
-            let heat = Heat::of(&given.loaded_session, given.answer(), plane);
-            heat.map(Arc::new)
-        };
-        Self::new(WorkKey::Heat(plane), make)
-    }
-}
-
-impl PartialEq for Work {
-    fn eq(&self, other: &Self) -> bool {
-        self.key == other.key
-    }
-}
-
-impl fmt::Debug for Work {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.key.fmt(f)
     }
 }
 
@@ -219,14 +102,6 @@ impl PartialEq for IdentifiedAnswer {
     }
 }
 
-impl Follows for IdentifiedAnswer {
-    type Of = Question;
-
-    fn of(&self) -> &Question {
-        &self.question
-    }
-}
-
 impl IdentifiedAnswer {
     /// Works the answer out. Takes its time with many samples.
     pub(crate) fn to(question: Question, watch: &Watch) -> Self {
@@ -270,16 +145,8 @@ pub(crate) struct PreviewRequest {
     pub(crate) name: Option<String>,
 }
 
-/// An export as it would be written: made ready to be looked at before it is saved.
-#[derive(Debug, Clone)]
-pub(crate) struct Preview {
-    pub(crate) wanted: PreviewRequest,
-    /// What it gives, or why it gives nothing.
-    pub(crate) made: Result<ExportPreview, String>,
-}
-
-/// An export and what it does.
-#[derive(Debug, Clone)]
+/// An export as it would be written, and what it does.
+#[derive(Debug)]
 pub(crate) struct ExportPreview {
     /// Name of the joint whose table it is.
     pub(crate) joint: String,
@@ -290,23 +157,15 @@ pub(crate) struct ExportPreview {
     pub(crate) error: Option<Spread>,
 }
 
-impl Follows for Preview {
-    type Of = PreviewRequest;
-
-    fn of(&self) -> &PreviewRequest {
-        &self.wanted
+/// Only itself.
+impl PartialEq for ExportPreview {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other)
     }
 }
 
-impl Preview {
-    /// Makes the export in memory.
-    pub(crate) fn to(wanted: PreviewRequest) -> Self {
-        let made = preview(&wanted);
-        Self { wanted, made }
-    }
-}
-
-fn preview(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
+/// Makes an export in memory, to be looked at before it is saved, or says why there is none.
+pub(crate) fn preview(wanted: &PreviewRequest) -> Result<Arc<ExportPreview>, String> {
     let PreviewRequest {
         identified: outcome,
         choice,
@@ -329,12 +188,12 @@ fn preview(wanted: &PreviewRequest) -> Result<ExportPreview, String> {
     let made =
         pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.describe()))?;
     let export = made.export;
-    Ok(ExportPreview {
+    Ok(Arc::new(ExportPreview {
         remainder: compensation::Remainder::new(calibration, &inputs),
         error: made.gaps.map(|[_, after]| after),
         joint: session.robot.joints[choice.joint].name.clone(),
         export,
-    })
+    }))
 }
 
 /// What the standards say.
@@ -349,12 +208,12 @@ pub(crate) struct StandardsFigures {
 ///
 /// # Errors
 /// Why there are none.
-pub(super) fn figures(
-    session: &Session,
-    answer: Option<&Answer>,
+pub(crate) fn figures(
+    of: &PlotInputs,
     diagnosed: Option<FittedErrors>,
 ) -> Result<StandardsFigures, String> {
-    let answer = answer.ok_or(say!("Identify the robot first"))?;
+    let session = &of.loaded_session.session;
+    let answer = of.answer().ok_or(say!("Identify the robot first"))?;
     let figures = pipeline::standards(session, Some(&answer.calibration))
         .map_err(|e| spoken(e.describe()))?;
     let fitted = diagnosed.unwrap_or_else(|| FittedErrors::from(&answer.identification));

@@ -7,8 +7,6 @@ use crate::gui::core::quantity::Over;
 use crate::numeric::whole;
 use crate::present::chart::LEAST_SPAN;
 
-use super::PlotInputs;
-
 /// Cells across and upwards, in which one of many samples is drawn.
 const CELLS: [usize; 2] = [160, 60];
 
@@ -49,19 +47,17 @@ pub(crate) struct Points {
 }
 
 impl PointsOfBoth {
-    pub(crate) fn of(inputs: &PlotInputs, over: Over, component: Component) -> Self {
+    pub(crate) fn of(
+        session: &LoadedSession,
+        answer: Option<&Answer>,
+        (over, component): (Over, Component),
+    ) -> Self {
         // What rounding alone scatters is one cell high.
         let least = [0.0, LEAST_SPAN];
-        let (session, answer) = (&inputs.loaded_session, inputs.answer());
         Self([0, 1].map(|when| {
             let place = |sample: usize| at(session, answer, (over, component), when, sample);
             let known = when == 0 || answer.is_some();
-            let usable = inputs
-                .loaded_session
-                .overview
-                .usable
-                .iter()
-                .filter(|_| known);
+            let usable = session.overview.usable.iter().filter(|_| known);
             Points::of(usable.copied(), place, least)
         }))
     }

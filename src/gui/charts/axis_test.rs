@@ -1,8 +1,9 @@
 //! The picture of a laser: the deviation of one axis over its position, a line for each run and direction, with what
 //! the table corrects and what is left as predicted with it; the figures of ISO 230-2 are next to it.
 
+use std::sync::Arc;
+
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
-use crate::gui::cache::{Work, WorkKey};
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::help::Word;
 use crate::gui::view::Step;
@@ -51,18 +52,9 @@ impl ChartKind for OfAxis {
         alone && (scene.step != Step::Gap || scene.diagnosis().is_some())
     }
 
-    fn work(&self, scene: &Scene) -> Option<Work> {
-        let joint = scene.joint();
-        let key = WorkKey::Chart(ID, scene.component, vec![joint]);
-        Some(Work::new(key, move |given| {
-            let calibration = given.answer().map(|answer| &answer.calibration);
-            axis_test(&given.loaded_session.session, calibration, joint)
-                .map_err(|error| spoken(error.describe()))
-        }))
-    }
-
-    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
-        let (axis, series) = tested(scene)?;
+    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
+        let axis = &tested(scene)?;
+        let series = best(axis)?;
         let over = Over {
             variable: Variable::Joint,
             joint: axis.joint,
@@ -105,7 +97,10 @@ impl ChartKind for OfAxis {
 
     /// Every approach, in the units of the axis.
     fn numbers(&self, scene: &Scene) -> Table {
-        let Ok((axis, series)) = tested(scene) else {
+        let Ok(axis) = &tested(scene) else {
+            return Table::default();
+        };
+        let Ok(series) = best(axis) else {
             return Table::default();
         };
         let of = |what: &str| format!("{what}, {}", axis.unit);
@@ -139,22 +134,19 @@ impl ChartKind for OfAxis {
     }
 }
 
-/// The axis and its best series.
-fn tested(scene: &Scene) -> Result<(&AxisTest, &Series), ChartPlaceholder> {
-    let found: &Result<AxisTest, String> = scene.found().ok_or_else(ChartPlaceholder::yet)?;
-    let axis = found
-        .as_ref()
-        .map_err(|because| ChartPlaceholder::new(because.clone(), ""))?;
+fn tested(scene: &Scene) -> Result<AxisTest, ChartPlaceholder> {
+    let calibration = scene.answer().map(|answer| &answer.calibration);
+    let found = axis_test(&scene.loaded_session.session, calibration, scene.joint());
+    found.map_err(|error| ChartPlaceholder::new(spoken(error.describe()), ""))
+}
+
+/// The best of its series.
+fn best(axis: &AxisTest) -> Result<&Series, ChartPlaceholder> {
     let why = say!(
         "Positions of the joint that were reached with everything else alike make a run, from either direction"
     );
-    let first = axis.series.first();
-    Ok((
-        axis,
-        first.ok_or_else(|| {
-            ChartPlaceholder::new(say!("There is no run of this joint to show"), why)
-        })?,
-    ))
+    let none = || ChartPlaceholder::new(say!("There is no run of this joint to show"), why);
+    axis.series.first().ok_or_else(none)
 }
 
 /// What deviations are shown in, and how many of it are one of the axis' own.

@@ -1,5 +1,7 @@
 //! The exported table as a curve: what is added to each command, for each side.
 
+use std::sync::Arc;
+
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
 use crate::compensation::SortedTable;
 use crate::gui::cache::ExportPreview;
@@ -30,15 +32,18 @@ impl ChartKind for Correction {
         let step = scene.step == Step::Export || alone;
         // A description of the robot has no curve; then the samples are more to look at.
         let shows = |made: &ExportPreview| step && (alone || made.export.reads_as.is_some());
-        scene.made().is_some_and(shows)
+        scene.preview.as_deref().is_some_and(shows)
     }
 
     fn suits(&self, _: &Scene) -> bool {
         true
     }
 
-    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
-        let made = scene.made().and_then(|made| chart(made, scene.units));
+    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
+        let made = scene
+            .preview
+            .as_deref()
+            .and_then(|made| chart(made, scene.units));
         let chart = made.ok_or(ChartPlaceholder::new(
             say!("This format describes the robot itself and has no table"),
             "",
@@ -54,7 +59,8 @@ impl ChartKind for Correction {
     /// Every entry.
     fn numbers(&self, scene: &Scene) -> Table {
         let Some((made, read)) = scene
-            .made()
+            .preview
+            .as_deref()
             .and_then(|m| Some((m, m.export.reads_as.as_ref()?)))
         else {
             return Table::default();

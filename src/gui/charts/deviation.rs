@@ -1,7 +1,8 @@
 //! A component of the deviation over the value of a joint, time, load or temperature, before and after.
 
+use std::sync::Arc;
+
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Seen, Shown};
-use crate::gui::cache::Work;
 use crate::gui::cache::points::at;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::{Over, Variable};
@@ -65,18 +66,14 @@ impl ChartKind for Along {
         self.about
     }
 
-    fn work(&self, scene: &Scene) -> Option<Work> {
-        Seen::work(scene, self.over(scene))
-    }
-
-    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
         let over = self.over(scene);
         let missing = || {
             let [title, why] = over.needs();
             ChartPlaceholder::new(title, why)
         };
         over.column(&scene.loaded_session).ok_or_else(missing)?;
-        let seen = Seen::of(scene, over).ok_or_else(ChartPlaceholder::yet)?;
+        let seen = Seen::of(scene, over);
         let extent = seen.extent().ok_or_else(missing)?;
         let component = scene.component.name();
         let name = match self.variable {
@@ -115,8 +112,8 @@ impl ChartKind for Along {
     }
 }
 
-fn chart(seen: &Seen<'_>, over: Over, [x, mm]: [[f64; 2]; 2]) -> Chart {
-    let scene = seen.scene;
+fn chart(seen: &Seen, over: Over, [x, mm]: [[f64; 2]; 2]) -> Chart {
+    let scene = &seen.scene;
     // Regions divide the angle of joint 1.
     let divided = over.variable == Variable::Joint && over.joint == 0;
     let boundaries = boundaries(&scene.document.regions);
@@ -151,7 +148,7 @@ fn chart(seen: &Seen<'_>, over: Over, [x, mm]: [[f64; 2]; 2]) -> Chart {
 }
 
 /// What has to be said.
-pub(super) fn note(seen: &Seen<'_>, over: Over) -> String {
+pub(super) fn note(seen: &Seen, over: Over) -> String {
     let mut notes = Vec::new();
     let session = &seen.scene.loaded_session;
     let component = seen.scene.component;
@@ -176,8 +173,8 @@ pub(super) fn note(seen: &Seen<'_>, over: Over) -> String {
 }
 
 /// What is seen, in words.
-pub(super) fn describe(seen: &Seen<'_>, over: Over) -> String {
-    let scene = seen.scene;
+pub(super) fn describe(seen: &Seen, over: Over) -> String {
+    let scene = &seen.scene;
     let units = scene.units;
     let Some([x, _]) = seen.extent() else {
         return say!("no sample to show").to_owned();
@@ -212,9 +209,9 @@ mod tests {
 
     /// Deviations of all samples along the angle, before or after.
     fn deviations(workbench: &Workbench, when: usize) -> Vec<f64> {
-        let scene = workbench.scene_of(&ANGLE);
+        let scene = Arc::new(workbench.scene());
         let over = ANGLE.over(&scene);
-        let seen = Seen::of(&scene, over).expect("few samples");
+        let seen = Seen::of(&scene, over);
         let samples = seen.points(when).samples.iter();
         samples.map(|s| seen.place(when, *s as usize)[1]).collect()
     }
@@ -249,7 +246,7 @@ mod tests {
         let mut workbench = workbench();
         let left = |workbench: &Workbench| deviations(workbench, 1).len();
         let high = |workbench: &Workbench| {
-            let scene = workbench.scene_of(&ANGLE);
+            let scene = Arc::new(workbench.scene());
             let shown = ANGLE.show(&scene).expect("it is shown");
             shown.chart.bounds[1][1] - shown.chart.bounds[0][1]
         };

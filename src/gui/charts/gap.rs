@@ -1,6 +1,8 @@
 //! The gap step by step: the nominal robot, the identification, each effect that was added, and
 //! the noise floor below which no model can come.
 
+use std::sync::Arc;
+
 use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
 use crate::gui::core::document::Method;
 use crate::gui::help;
@@ -43,7 +45,7 @@ impl ChartKind for Gap {
         scene.step == Step::Gap
     }
 
-    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
         let number = |mm: f64| significant(scene.units.length_value(mm), 3);
         let lengths = scene.lengths(&number);
         let floor_mm = scene.diagnosis().map(|d| d.floor.mm);

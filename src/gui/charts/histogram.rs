@@ -1,10 +1,11 @@
 //! How many samples deviate by how much.
 
+use std::sync::Arc;
+
 use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
     of_noise,
 };
-use crate::gui::cache::{Work, WorkKey};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
 use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
@@ -29,25 +30,15 @@ impl ChartKind for Histogram {
         About::new("histogram", names, help::HISTOGRAM, ChartChoice::Component)
     }
 
-    fn work(&self, scene: &Scene) -> Option<Work> {
-        let component = scene.component;
-        let key = WorkKey::Chart(self.about().id, component, Vec::new());
-        Some(Work::new(key, move |given| {
-            let (before, after) = given.values(&given.usable(), component);
-            let length = component == Component::Length;
-            Distribution::new(&before, after.as_deref(), length)
-        }))
-    }
-
-    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
         let found = distribution(scene)?;
         Ok(Shown {
-            chart: drawn(scene, found),
+            chart: drawn(scene, &found),
             name: say!("histogram, {component}", component = scene.component.name()),
-            description: describe(scene, found),
+            description: describe(scene, &found),
             pointed: HoverTarget::Bars(Box::new(DrawnBars {
-                scene,
-                counted: found.shown(scene.only_after()),
+                scene: Arc::clone(scene),
+                counted: found.shown(scene.only_after()).clone(),
             })),
         })
     }
@@ -71,21 +62,24 @@ impl ChartKind for Histogram {
     }
 }
 
-fn distribution(scene: &Scene) -> Result<&Distribution, ChartPlaceholder> {
-    let found: &Option<Distribution> = scene.found().ok_or_else(ChartPlaceholder::yet)?;
-    found.as_ref().ok_or(ChartPlaceholder::new(
+fn distribution(scene: &Scene) -> Result<Distribution, ChartPlaceholder> {
+    let samples: Vec<usize> = scene.usable().collect();
+    let (before, after) = scene.values(&samples);
+    let length = scene.component == Component::Length;
+    let found = Distribution::new(&before, after.as_deref(), length);
+    found.ok_or(ChartPlaceholder::new(
         say!("No sample can be counted"),
         say!("Every sample lacks a joint value or a coordinate"),
     ))
 }
 
 /// What the pointer finds.
-struct DrawnBars<'a> {
-    scene: &'a Scene,
-    counted: &'a Counted,
+struct DrawnBars {
+    scene: Arc<Scene>,
+    counted: Counted,
 }
 
-impl DrawnBars<'_> {
+impl DrawnBars {
     /// The component of a sample that is counted: what is left if anything is, else before.
     fn value(&self, sample: usize, after: bool) -> f64 {
         let loaded_session = &self.scene.loaded_session;
@@ -97,7 +91,7 @@ impl DrawnBars<'_> {
     }
 }
 
-impl Bars for DrawnBars<'_> {
+impl Bars for DrawnBars {
     fn at(&self, x: f64) -> Option<Facts> {
         let (units, bins) = (self.scene.units, self.counted.bins);
         let mm = x / units.length_value(1.0);

@@ -3,26 +3,23 @@
 //! are looked at, what was worked out) a [`Chart`], which the window, a picture and a table for a spreadsheet
 //! show. Nothing here draws.
 
-use std::any::Any;
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
 use crate::gui::cache::points::{Points, PointsOfBoth, When, at};
-use crate::gui::cache::{ChartResult, PlotInputs, Work, WorkKey};
-use crate::gui::cache::{ExportPreview, IdentifiedAnswer, Preview};
-use crate::gui::core::answer::{Answer, Search};
+use crate::gui::cache::{ExportPreview, IdentifiedAnswer};
+use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::overview::FEW;
 use crate::gui::core::quantity::{Over, Scale};
+use crate::gui::core::search::Search;
 use crate::gui::help::Word;
 use crate::gui::view::{Plane, Step};
 use crate::present::chart::{Chart, ColourRole, Entry, Form, Item, LegendSymbol, Lengths, Mark};
-use crate::present::numbers::grouped;
+use crate::present::numbers::{Notation, grouped};
 use crate::present::table::Table;
 use crate::present::units::Units;
-use crate::text::{Template, spoken};
+use crate::text::{Language, Template, spoken};
 
 macro_rules! register {
     ($($file:ident: $($chart:ident),*;)*) => {
@@ -108,12 +105,8 @@ pub(crate) trait ChartKind: Sync {
         false
     }
 
-    /// What the background works out for it.
-    fn work(&self, _: &Scene) -> Option<Work> {
-        None
-    }
-
-    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder>;
+    /// Takes its time with many samples.
+    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder>;
 
     /// What it shows, for a spreadsheet.
     fn numbers(&self, scene: &Scene) -> Table;
@@ -138,32 +131,27 @@ impl ChartPlaceholder {
         let title = title.into();
         Self { title, why }
     }
-
-    /// The background is at it.
-    pub(crate) fn yet() -> Self {
-        Self::new(say!("Computing…"), "")
-    }
 }
 
-/// A chart as it is at present, and what the pointer finds on it.
-pub(crate) struct Shown<'a> {
+/// A chart as it is of a scene, and what the pointer finds on it.
+pub(crate) struct Shown {
     pub(crate) chart: Chart,
     /// How it is called for those who do not see it.
     pub(crate) name: String,
     /// What is seen, in words.
     pub(crate) description: String,
-    pub(crate) pointed: HoverTarget<'a>,
+    pub(crate) pointed: HoverTarget,
 }
 
 /// What the pointer finds on a chart.
-pub(crate) enum HoverTarget<'a> {
+pub(crate) enum HoverTarget {
     Nothing,
-    Samples(Box<dyn Samples + 'a>),
-    Bars(Box<dyn Bars + 'a>),
+    Samples(Box<dyn Samples>),
+    Bars(Box<dyn Bars>),
 }
 
 /// Samples on a chart.
-pub(crate) trait Samples {
+pub(crate) trait Samples: Send + Sync {
     /// Where a sample's marks are; the last is the one that is ringed.
     fn marks(&self, sample: usize) -> Vec<[f64; 2]>;
 
@@ -177,7 +165,7 @@ pub(crate) trait Samples {
 }
 
 /// What the pointer finds on bars.
-pub(crate) trait Bars {
+pub(crate) trait Bars: Send + Sync {
     /// What is said about a place along the chart.
     fn at(&self, x: f64) -> Option<Facts>;
 
@@ -195,9 +183,9 @@ pub(crate) struct Facts {
     pub(crate) samples: Vec<usize>,
 }
 
-/// Document and answer, how they are looked at, what was worked out. It lasts by itself: the window goes on while
-/// something is made of it.
-#[derive(Clone)]
+/// Document and answer, and how they are looked at: all that a chart follows from. It lasts by itself: the window goes
+/// on while one is made of it.
+#[derive(Clone, PartialEq)]
 pub(crate) struct Scene {
     pub(crate) document: Arc<Document>,
     pub(crate) loaded_session: Arc<LoadedSession>,
@@ -218,9 +206,9 @@ pub(crate) struct Scene {
     /// The search of this session.
     pub(crate) search: Option<Arc<Search>>,
     /// The export as it would be written.
-    pub(crate) preview: Option<Arc<Preview>>,
-    /// What the background has worked out for the chart.
-    pub(crate) worked_out: Option<ChartResult>,
+    pub(crate) preview: Option<Arc<ExportPreview>>,
+    /// How words and numbers are written.
+    pub(crate) written: (Language, Notation),
 }
 
 impl Scene {
@@ -228,16 +216,19 @@ impl Scene {
         self.identified.as_ref()?.answer.as_ref().ok()
     }
 
-    /// What the background works with.
-    fn inputs(&self) -> PlotInputs {
-        PlotInputs {
-            loaded_session: Arc::clone(&self.loaded_session),
-            identified: self.identified.clone(),
-        }
-    }
-
-    pub(crate) fn made(&self) -> Option<&ExportPreview> {
-        self.preview.as_ref()?.made.as_ref().ok()
+    /// A component of some samples' deviations before, and after where it is known.
+    fn values(&self, samples: &[usize]) -> (Vec<f64>, Option<Vec<f64>>) {
+        let session = &self.loaded_session;
+        let of = |deviation: &dyn Fn(usize) -> [f64; 3]| {
+            let value = |i: &usize| session.component(deviation(*i), *i, self.component);
+            samples.iter().map(value).collect::<Vec<f64>>()
+        };
+        let before = of(&|i| session.deviation_before(i));
+        let after = self.answer();
+        (
+            before,
+            after.map(|answer| of(&|i| answer.deviation_after(i))),
+        )
     }
 
     pub(crate) fn diagnosis(&self) -> Option<&Diagnosis> {
@@ -255,12 +246,6 @@ impl Scene {
         self.joint.min(joints.saturating_sub(1))
     }
 
-    /// What the background has worked out, if it is that.
-    pub(crate) fn found<T: Any>(&self) -> Option<&T> {
-        self.worked_out.as_ref()?.downcast_ref()
-    }
-
-    /// Samples that can be used.
     pub(crate) fn usable(&self) -> impl ExactSizeIterator<Item = usize> {
         self.loaded_session
             .overview
@@ -291,40 +276,27 @@ fn of_noise(name: &str) -> Entry {
 }
 
 /// Samples as a chart shows them: a component of the deviation over a quantity, before and after.
-pub(crate) struct Seen<'a> {
-    pub(crate) scene: &'a Scene,
+pub(crate) struct Seen {
+    pub(crate) scene: Arc<Scene>,
     pub(crate) over: Over,
     pub(crate) scales: [Scale; 2],
-    pub(crate) cloud: Cow<'a, PointsOfBoth>,
+    pub(crate) cloud: PointsOfBoth,
 }
 
-impl<'a> Seen<'a> {
-    /// What the background works out for it; a few samples are looked at in every frame.
-    pub(crate) fn work(scene: &Scene, over: Over) -> Option<Work> {
-        let component = scene.component;
-        let key = WorkKey::Places(over, component);
-        let work = || Work::new(key, move |given| PointsOfBoth::of(given, over, component));
-        (scene.usable().len() > FEW).then(work)
-    }
-
-    /// `None`: the background is at it.
-    pub(crate) fn of(scene: &'a Scene, over: Over) -> Option<Self> {
-        let loaded_session = &*scene.loaded_session;
-        let cloud = match scene.found() {
-            Some(cloud) => Cow::Borrowed(cloud),
-            None if scene.usable().len() > FEW => return None,
-            None => Cow::Owned(PointsOfBoth::of(&scene.inputs(), over, scene.component)),
-        };
+impl Seen {
+    pub(crate) fn of(scene: &Arc<Scene>, over: Over) -> Self {
+        let (loaded_session, what) = (&scene.loaded_session, (over, scene.component));
+        let cloud = PointsOfBoth::of(loaded_session, scene.answer(), what);
         let across = |span| over.scale(loaded_session, scene.units, span);
         let mut seen = Self {
-            scene,
+            scene: Arc::clone(scene),
             over,
             scales: [across(0.0), Scale::length(scene.units)],
             cloud,
         };
         let span = seen.extent().map_or(0.0, |[x, _]| x[1] - x[0]);
         seen.scales[0] = across(span);
-        Some(seen)
+        seen
     }
 
     /// What is drawn: before, after, or both.
@@ -401,7 +373,7 @@ impl<'a> Seen<'a> {
     }
 }
 
-impl Samples for Seen<'_> {
+impl Samples for Seen {
     fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
         let places = self.whens().map(|when| self.place(when, sample));
         let known = places.filter(|at| at.iter().all(|v| v.is_finite()));

@@ -1,12 +1,13 @@
 //! How large the deviation is at each whole number of cycles per turn.
 
+use std::sync::Arc;
+
 use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
     of_noise,
 };
-use crate::gui::cache::{PlotInputs, Work, WorkKey};
-use crate::gui::core::answer::terms;
 use crate::gui::core::quantity::{Over, Variable};
+use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::language;
 use crate::numeric::whole;
@@ -17,6 +18,7 @@ use crate::present::drawing::Anchor;
 use crate::present::numbers::trimmed;
 use crate::present::spectrum::{Amplitude, Order, Spectrum};
 use crate::present::table::{Cell, Table};
+use crate::present::units::Units;
 use crate::text::angle;
 
 /// Part of the height that is left for names.
@@ -32,36 +34,19 @@ impl ChartKind for Orders {
         About::new("order spectrum", names, help::ORDERS, ChartChoice::Joint)
     }
 
-    fn work(&self, scene: &Scene) -> Option<Work> {
-        let (joint, gears) = (scene.joint(), gears(scene));
-        let component = scene.component;
-        let key = std::iter::once(joint).chain(gears.clone()).collect();
-        let key = WorkKey::Chart(self.about().id, component, key);
-        let make = move |inputs: &PlotInputs| {
-            let over = Over {
-                variable: Variable::Joint,
-                joint,
-            };
-            let angle = |i: &usize| over.of(&inputs.loaded_session, *i);
-            let mut samples = inputs.usable();
-            samples.retain(|i| angle(i).is_finite());
-            let angles: Vec<f64> = samples.iter().map(angle).collect();
-            let (before, after) = inputs.values(&samples, component);
-            Spectrum::new(&angles, &before, after.as_deref(), &gears)
-        };
-        Some(Work::new(key, make))
-    }
-
-    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
         let spectrum = spectrum(scene)?;
         Ok(Shown {
-            chart: drawn(scene, spectrum),
+            chart: drawn(scene, &spectrum),
             name: say!(
                 "order spectrum, {component}",
                 component = scene.component.name()
             ),
-            description: describe(scene, spectrum),
-            pointed: HoverTarget::Bars(Box::new(DrawnOrders { scene, spectrum })),
+            description: describe(scene, &spectrum),
+            pointed: HoverTarget::Bars(Box::new(DrawnOrders {
+                units: scene.units,
+                spectrum,
+            })),
         })
     }
 
@@ -100,14 +85,22 @@ fn gears(scene: &Scene) -> Vec<usize> {
 }
 
 /// The spectrum, or why there is none.
-fn spectrum(scene: &Scene) -> Result<&Spectrum, ChartPlaceholder> {
+fn spectrum(scene: &Scene) -> Result<Spectrum, ChartPlaceholder> {
     let joint = scene.joint();
     if !scene.loaded_session.joint_turns(joint) {
         let name = &scene.loaded_session.session.robot.joints[joint].name;
         let why = say!("Orders are cycles per turn. Choose a joint that turns");
         return Err(ChartPlaceholder::new(say!("{name} slides", name), why));
     }
-    let spectrum: &Spectrum = scene.found().ok_or_else(ChartPlaceholder::yet)?;
+    let over = Over {
+        variable: Variable::Joint,
+        joint,
+    };
+    let angle = |i: &usize| over.of(&scene.loaded_session, *i);
+    let samples: Vec<usize> = scene.usable().filter(|i| angle(i).is_finite()).collect();
+    let angles: Vec<f64> = samples.iter().map(angle).collect();
+    let (before, after) = scene.values(&samples);
+    let spectrum = Spectrum::new(&angles, &before, after.as_deref(), &gears(scene));
     if spectrum.orders.is_empty() {
         return Err(ChartPlaceholder::new(
             say!("Too few different angles"),
@@ -120,18 +113,18 @@ fn spectrum(scene: &Scene) -> Result<&Spectrum, ChartPlaceholder> {
 }
 
 /// What the pointer finds.
-struct DrawnOrders<'a> {
-    scene: &'a Scene,
-    spectrum: &'a Spectrum,
+struct DrawnOrders {
+    units: Units,
+    spectrum: Spectrum,
 }
 
-impl Bars for DrawnOrders<'_> {
+impl Bars for DrawnOrders {
     fn at(&self, x: f64) -> Option<Facts> {
         let slot = (x.round() >= 0.0).then(|| whole(x.round()))?;
         let order = self.spectrum.orders.get(slot)?;
-        let units = self.scene.units;
+        let units = self.units;
         let mut lines = Vec::new();
-        let cause = cause(self.spectrum, order.order);
+        let cause = cause(&self.spectrum, order.order);
         lines.extend(cause.map(|cause| (say!("usual cause").to_owned(), cause.to_owned())));
         for (name, amplitude) in [
             (say!("before"), Some(order.before)),

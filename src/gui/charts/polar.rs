@@ -8,12 +8,12 @@
 //! Source: ISO 230-4 (circular tests), where e is the radial deviation of a circular path.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use super::deviation::{ANGLE, describe, note};
 use super::{
     About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Seen, Shown,
 };
-use crate::gui::cache::Work;
 use crate::gui::cache::points::When;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::overview::round_down;
@@ -52,16 +52,11 @@ impl ChartKind for Polar {
         About::new("polar", names, help::POLAR, ChartChoice::Component)
     }
 
-    fn work(&self, scene: &Scene) -> Option<Work> {
-        Seen::work(scene, over(scene))
-    }
-
-    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
         if let Some(why) = absent(&scene.loaded_session) {
             return Err(ChartPlaceholder::new(say!("No polar view"), why));
         }
-        let seen = Seen::of(scene, over(scene)).ok_or_else(ChartPlaceholder::yet)?;
-        let drawn = Drawn::of(seen);
+        let drawn = Drawn::of(Seen::of(scene, over(scene)));
         let component = scene.component.name();
         let samples = scene.usable().len();
         let division = drawn.scale();
@@ -121,17 +116,17 @@ fn directions(loaded_session: &LoadedSession, plane: Plane) -> [[f64; 2]; 2] {
     }
 }
 
-struct Drawn<'a> {
-    of: Seen<'a>,
+struct Drawn {
+    of: Seen,
     directions: [[f64; 2]; 2],
     division_mm: f64,
     /// So many divisions inside the nominal circle and outside.
     divisions: [f64; 2],
 }
 
-impl<'a> Drawn<'a> {
-    fn of(of: Seen<'a>) -> Self {
-        let scene = of.scene;
+impl Drawn {
+    fn of(of: Seen) -> Self {
+        let scene = &of.scene;
         let [low, high] = of.extent().map_or([0.0; 2], |[_, mm]| mm);
         let [low, high] = [low.min(0.0), high.max(0.0)];
         // Round in the unit in which it is written.
@@ -184,7 +179,7 @@ impl<'a> Drawn<'a> {
     }
 
     fn chart(&self, division: String) -> Chart {
-        let scene = self.of.scene;
+        let scene = &self.of.scene;
         let name = scene.component.name();
         let out = NOMINAL + self.divisions[1] + ROOM;
         let axis = || Axis {
@@ -268,7 +263,7 @@ impl<'a> Drawn<'a> {
         let session = &self.of.scene.loaded_session;
         let dot = |sample: usize| {
             let [q, mm] = self.of.place(when, sample);
-            (over(self.of.scene).side(session, sample), q, mm)
+            (over(&self.of.scene).side(session, sample), q, mm)
         };
         let line = |piece: Vec<[f64; 2]>| {
             let points = piece.iter().map(|[q, mm]| self.at(*q, *mm));
@@ -318,7 +313,7 @@ fn means(mut values: Vec<(f64, f64, f64)>) -> Vec<Vec<[f64; 2]>> {
         .collect()
 }
 
-impl Samples for Drawn<'_> {
+impl Samples for Drawn {
     fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
         let places = self.of.whens().map(|when| self.of.place(when, sample));
         let known = places.filter(|at| at.iter().all(|v| v.is_finite()));
@@ -362,10 +357,9 @@ mod tests {
         assert!((pieces[0][0][1] - 2.0).abs() < 1e-12);
     }
 
-    fn of<T>(workbench: &Workbench, look: impl FnOnce(&Drawn<'_>) -> T) -> T {
-        let scene = workbench.scene_of(&Polar);
-        let seen = Seen::of(&scene, over(&scene));
-        look(&Drawn::of(seen.expect("it is worked out")))
+    fn of<T>(workbench: &Workbench, look: impl FnOnce(&Drawn) -> T) -> T {
+        let scene = Arc::new(workbench.scene());
+        look(&Drawn::of(Seen::of(&scene, over(&scene))))
     }
 
     #[test]
@@ -397,9 +391,7 @@ mod tests {
     fn a_deviation_outwards_is_outside_the_nominal_circle_and_nothing_leaves_the_bounds() {
         let mut workbench = workbench();
         workbench.execute(|bench| {
-            bench.edit(phrase!("set tolerance"), |document| {
-                document.set_tolerance(Some(0.2))
-            });
+            bench.edit(|document| document.set_tolerance(Some(0.2)));
         });
         of(&workbench, |drawn| {
             let radius = |at: [f64; 2]| at[0].hypot(at[1]);
@@ -440,9 +432,7 @@ mod tests {
     fn a_length_is_outside_the_circle_and_so_is_its_tolerance() {
         let mut workbench = workbench();
         workbench.execute(|bench| {
-            bench.edit(phrase!("set tolerance"), |document| {
-                document.set_tolerance(Some(0.2))
-            });
+            bench.edit(|document| document.set_tolerance(Some(0.2)));
         });
         let band = |workbench: &Workbench| of(workbench, |drawn| drawn.band().expect("a band"));
         workbench.execute(|bench| bench.view.component = Component::Length);
@@ -451,9 +441,7 @@ mod tests {
         let [low, high] = band(&workbench);
         assert!(low < 0.0 && high > 0.0);
         workbench.execute(|bench| {
-            bench.edit(phrase!("set tolerance"), |document| {
-                document.set_tolerance(Some(1e9))
-            });
+            bench.edit(|document| document.set_tolerance(Some(1e9)));
         });
         let [low, high] = band(&workbench);
         assert!(-NOMINAL < low && high < NOMINAL);

@@ -4,11 +4,9 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-
 use crate::diagnosis::SessionCorrection;
 use crate::document::degrees;
-use crate::effects::{self, CATALOGUE, Term, form_with};
+use crate::effects::{CATALOGUE, Term};
 use crate::export::{find, usual};
 use crate::fit::{DEFAULT_EFFECTS, regions_of};
 use crate::gui::core::answer::{LoadedModel, Question, QuestionDetails};
@@ -20,6 +18,7 @@ use crate::language::spoken;
 use crate::model::RegionalCorrection;
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
+use crate::text::Template;
 use crate::units::rad_from_deg;
 
 /// How the robot is identified.
@@ -192,12 +191,12 @@ impl Document {
     }
 }
 
-/// Whether the change was made; the reason where it cannot be.
-type Changed = Result<(), String>;
+/// How a change that was made is called after “Undo”; the reason where it cannot be made.
+pub(crate) type Changed = Result<Template, String>;
 
 impl Document {
     /// What asks something of the samples takes the place of a model that was read from a file.
-    fn ask_samples(&mut self) -> Changed {
+    fn ask_samples(&mut self) -> Result<(), String> {
         if self.loaded_session.is_empty() {
             return Err(say!(
                 "nothing was measured yet: open a session that was measured on this robot"
@@ -209,7 +208,7 @@ impl Document {
     }
 
     /// Another session; a model that was read from a file stays where both are of the same robot.
-    pub(crate) fn open(&mut self, loaded_session: Arc<LoadedSession>) {
+    pub(crate) fn open(&mut self, loaded_session: Arc<LoadedSession>) -> Template {
         let given = self.loaded_model.take();
         let given = given.filter(|given| given.is_of(&loaded_session.session));
         let opened = Self::new(loaded_session);
@@ -217,16 +216,18 @@ impl Document {
             Some(given) => opened.with_model(given),
             None => opened,
         };
+        phrase!("open session")
     }
 
     /// A model beside the open session, or by itself.
-    pub(crate) fn open_model(&mut self, loaded_model: Arc<LoadedModel>, beside: bool) {
+    pub(crate) fn open_model(&mut self, loaded_model: Arc<LoadedModel>, beside: bool) -> Template {
         let beneath = if beside {
             self.clone()
         } else {
             Self::new(Arc::new(loaded_model.alone()))
         };
         *self = beneath.with_model(loaded_model);
+        phrase!("open model")
     }
 
     pub(crate) fn choose_method(&mut self, method: Method) -> Changed {
@@ -235,14 +236,14 @@ impl Document {
             return Err(say!("regions are for a single joint that turns").to_owned());
         }
         self.method = method;
-        Ok(())
+        Ok(phrase!("choose method"))
     }
 
     /// Identifies from now on, by this method or as it is chosen.
     pub(crate) fn identify(&mut self, method: Option<Method>) -> Changed {
         self.choose_method(method.unwrap_or(self.method))?;
         self.identified = true;
-        Ok(())
+        Ok(phrase!("identify"))
     }
 
     /// Fits this effect, or leaves it out.
@@ -257,7 +258,7 @@ impl Document {
         };
         let all = CATALOGUE.iter().map(|effect| effect.about().id);
         self.effects = all.filter(chosen).collect();
-        Ok(())
+        Ok(phrase!("choose effects"))
     }
 
     /// How far a position may be off, mm.
@@ -266,7 +267,7 @@ impl Document {
             return Err(say!("a tolerance is a number above 0").to_owned());
         }
         self.tolerance_mm = tolerance_mm;
-        Ok(())
+        Ok(phrase!("set tolerance"))
     }
 
     /// Another table.
@@ -279,7 +280,7 @@ impl Document {
             return Err(say!("a table needs a joint of the robot and a step above 0").to_owned());
         }
         self.export = choice;
-        Ok(())
+        Ok(phrase!("choose table"))
     }
 
     /// Adds what a search found to the exact fit, all of it switched on.
@@ -294,7 +295,7 @@ impl Document {
                 }),
             }
         }
-        self.exactly_with(added)
+        self.exactly_with(added, phrase!("add to model"))
     }
 
     /// Switches an added effect (counted in the order in which they were added) on or off.
@@ -304,28 +305,31 @@ impl Document {
             .get_mut(index)
             .ok_or(say!("there is no such effect"))?
             .on = on;
-        self.exactly_with(added)
+        let what = if on {
+            phrase!("switch effect on")
+        } else {
+            phrase!("switch effect off")
+        };
+        self.exactly_with(added, what)
     }
 
     /// What is added is wanted: the exact fit follows at once.
-    fn exactly_with(&mut self, added: Vec<Added>) -> Changed {
+    fn exactly_with(&mut self, added: Vec<Added>, what: Template) -> Changed {
         self.ask_samples()?;
         self.added = added.into();
         self.method = Method::Exact;
         self.identified = true;
-        Ok(())
+        Ok(what)
     }
 
     /// Another description of the robot, its reflectors and the instrument, where that makes a robot.
     pub(crate) fn set_up(&mut self, form: &SetupForm) -> Changed {
         let session = &self.loaded_session.session;
         // Compared as it is filled in: missing cells are never equal.
-        if *form == SetupForm::of(session) {
-            return Ok(());
+        if *form != SetupForm::of(session) {
+            self.take_session(form.session(session)?);
         }
-        let next = form.session(session);
-        self.take_session(next?);
-        Ok(())
+        Ok(phrase!("edit robot and instrument"))
     }
 
     /// Takes samples out of every fit and figure, or in again.
@@ -341,6 +345,11 @@ impl Document {
                 excluded.remove(sample);
             }
         }
+        let what = if out {
+            phrase!("exclude samples")
+        } else {
+            phrase!("include samples")
+        };
         let held_out = of_session.held_out.as_deref();
         let counts = |i: usize| {
             loaded_session.usable[i] && !excluded.contains(&i) && !held_out.is_some_and(|h| h[i])
@@ -352,7 +361,7 @@ impl Document {
         let whole = whole.unwrap_or_else(|| Arc::clone(loaded_session));
         let excluded: Vec<usize> = excluded.into_iter().collect();
         self.loaded_session = Arc::new(LoadedSession::excluding(&whole, &excluded));
-        Ok(())
+        Ok(what)
     }
 
     /// Takes mistakes of setting up back, one after the other.
@@ -377,7 +386,7 @@ impl Document {
             }
             self.loaded_session = Arc::new(loaded_session);
         }
-        Ok(())
+        Ok(phrase!("correct data"))
     }
 
     /// The same opening with another description of the robot, or other samples.
@@ -398,41 +407,47 @@ impl Document {
 impl Document {
     /// So many regions of the same width.
     pub(crate) fn divide(&mut self, number: usize) -> Changed {
-        self.divide_by(&RegionChoice::Uniform(number), Division::Even)
+        let what = phrase!("divide into regions");
+        self.divide_by(&RegionChoice::Uniform(number), Division::Even, what)
     }
 
     /// The regions that the session brings along.
     pub(crate) fn regions_of_session(&mut self) -> Changed {
-        self.divide_by(&RegionChoice::FromSession, Division::Given)
+        let what = phrase!("take regions from session");
+        self.divide_by(&RegionChoice::FromSession, Division::Given, what)
     }
 
-    fn divide_by(&mut self, choice: &RegionChoice, division: Division) -> Changed {
+    fn divide_by(&mut self, choice: &RegionChoice, division: Division, what: Template) -> Changed {
         self.ask_samples()?;
         let regions = regions_of(choice, &self.loaded_session.session);
-        self.take_regions(regions.map_err(|e| spoken(e.describe()))?, division)
+        self.take_regions(regions.map_err(|e| spoken(e.describe()))?, division, what)
     }
 
     /// What the adaptive division decided.
     pub(crate) fn adapt(&mut self, regions: Vec<Region>, decision: Decision) -> Changed {
-        self.take_regions(regions, Division::Adaptive(decision))
+        let what = phrase!("divide adaptively");
+        self.take_regions(regions, Division::Adaptive(decision), what)
     }
 
     /// Goes on with the regions as they are, by hand.
-    pub(crate) fn keep_regions(&mut self) {
+    pub(crate) fn keep_regions(&mut self) -> Template {
         self.division = Division::Given;
+        phrase!("keep the regions")
     }
 
     /// Moves a boundary (counted in ascending order) to this angle, rad.
     pub(crate) fn move_boundary(&mut self, boundary: usize, to_rad: f64) -> Changed {
         let travel = self.loaded_session.travel();
         let moved = regions::moved(&self.regions, boundary, to_rad, travel);
-        self.by_hand(moved, say!("the boundary cannot be moved there"))
+        let otherwise = say!("the boundary cannot be moved there");
+        self.by_hand(moved, otherwise, phrase!("move boundary"))
     }
 
     /// Cuts a region in half.
     pub(crate) fn split(&mut self, region: usize) -> Changed {
         let split = regions::split(&self.regions, region);
-        self.by_hand(split, say!("the region is too narrow to be split"))
+        let otherwise = say!("the region is too narrow to be split");
+        self.by_hand(split, otherwise, phrase!("split region"))
     }
 
     /// Makes one region of this and the one after it.
@@ -440,22 +455,29 @@ impl Document {
         let otherwise = say!(
             "no region begins where this one ends; enter the end of this region as the start of the next one first"
         );
-        self.by_hand(regions::joined(&self.regions, region), otherwise)
+        let joined = regions::joined(&self.regions, region);
+        self.by_hand(joined, otherwise, phrase!("merge regions"))
     }
 
     /// Takes a region away: where it was nothing is corrected.
     pub(crate) fn delete(&mut self, region: usize) -> Changed {
         let otherwise = say!("the last region stays: without one nothing is corrected");
-        self.by_hand(regions::without(&self.regions, region), otherwise)
+        let rest = regions::without(&self.regions, region);
+        self.by_hand(rest, otherwise, phrase!("delete region"))
     }
 
-    fn by_hand(&mut self, regions: Option<Vec<Region>>, otherwise: &str) -> Changed {
+    fn by_hand(&mut self, made: Option<Vec<Region>>, otherwise: &str, what: Template) -> Changed {
         self.ask_samples()?;
-        self.take_regions(regions.ok_or(otherwise)?, Division::Given)
+        self.take_regions(made.ok_or(otherwise)?, Division::Given, what)
     }
 
     /// Regions that are worked on are regions that are wanted: the answer follows them at once.
-    fn take_regions(&mut self, regions: Vec<Region>, division: Division) -> Changed {
+    fn take_regions(
+        &mut self,
+        regions: Vec<Region>,
+        division: Division,
+        what: Template,
+    ) -> Changed {
         self.identify(Some(Method::Regional))?;
         // Exactly as a file will have them: what is saved is read again to the last bit.
         let as_saved = |region: Region| Region {
@@ -469,7 +491,7 @@ impl Document {
             self.regions = Arc::from(regions);
         }
         self.division = division;
-        Ok(())
+        Ok(what)
     }
 
     /// Another name for a region.
@@ -491,7 +513,7 @@ impl Document {
             .ok_or(say!("there is no such region"))?;
         name.clone_into(&mut renamed.name);
         self.regions = regions.into();
-        Ok(())
+        Ok(phrase!("rename region"))
     }
 }
 
@@ -510,85 +532,5 @@ pub(super) fn as_saved(session: &mut Session) {
         {
             *q = rad_from_deg(degrees(*q));
         }
-    }
-}
-
-// How a session was identified, as far as that outlives the window.
-
-/// Names that no effect has do not count.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub(crate) struct Choices {
-    identified: bool,
-    regional: bool,
-    /// Effects of the exact fit.
-    effects: Vec<String>,
-    /// Effects that a search found and that were added to it.
-    #[serde(default)]
-    added: Vec<SavedTerm>,
-}
-
-/// An effect that was added, as it is kept. A smooth correction is not: its curve belongs to a search.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-struct SavedTerm {
-    effect: String,
-    joint: usize,
-    setting: f64,
-    coefficients: Vec<f64>,
-    on: bool,
-}
-
-impl SavedTerm {
-    fn of(added: &Added) -> Option<Self> {
-        let term = &added.term;
-        (term.curve.is_none() && term.rest.is_none()).then(|| Self {
-            effect: term.effect.about().id.to_owned(),
-            joint: term.joint,
-            setting: term.setting,
-            coefficients: term.coefficients.clone(),
-            on: added.on,
-        })
-    }
-
-    /// The effect on this robot; `None` where it cannot be one of its.
-    fn added(&self, robot: &Robot) -> Option<Added> {
-        let effect = effects::find(&self.effect)?;
-        let effect = form_with(effect, |form| {
-            form.about().form.coefficients() == self.coefficients.len()
-        });
-        let mut term = Term::absent(effect, self.joint, self.setting);
-        let fits = self.joint < robot.joints.len()
-            && self.coefficients.len() == term.coefficients.len()
-            && self.coefficients.iter().all(|c| c.is_finite())
-            && self.setting.is_finite();
-        term.coefficients.clone_from(&self.coefficients);
-        fits.then_some(Added { term, on: self.on })
-    }
-}
-
-impl Document {
-    /// How it is identified; a model that was read from a file stands in that.
-    pub(crate) fn choices(&self) -> Choices {
-        Choices {
-            identified: self.identified && self.loaded_model.is_none(),
-            regional: self.method == Method::Regional,
-            effects: self.effects.iter().map(|e| (*e).to_owned()).collect(),
-            added: self.added.iter().filter_map(SavedTerm::of).collect(),
-        }
-    }
-
-    /// What a window that is gone has left behind, with the choices that were made.
-    pub(crate) fn recover(&mut self, loaded_session: Arc<LoadedSession>, kept: &Choices) {
-        self.open(loaded_session);
-        self.loaded_model = None;
-        self.identified = kept.identified;
-        if kept.regional && self.loaded_session.single_revolute() {
-            self.method = Method::Regional;
-        }
-        let all = CATALOGUE.iter().map(|effect| effect.about().id);
-        let chosen = all.filter(|id| kept.effects.iter().any(|e| e == id));
-        self.effects = chosen.collect();
-        let robot = &self.loaded_session.session.robot;
-        let added = kept.added.iter().filter_map(|one| one.added(robot));
-        self.added = added.collect();
     }
 }

@@ -1,7 +1,7 @@
 //! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
 //! targets are left as they are and why.
 
-use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
+use egui::{Align, DragValue, Layout, RadioButton, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
 use crate::explain::{self, Detail, Section, Topic};
@@ -10,7 +10,7 @@ use crate::gui::core::disk::name_of;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::What;
 use crate::gui::views::blocks::{self, Title};
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Buttons, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::kinematics::Pose;
 use crate::programs::{DifferingNumber, ExternalAxes, Precedence};
@@ -35,7 +35,7 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench) {
     };
     widgets::wide(ui, WIDE);
     let name = name_of(&compensated.wanted.path);
-    widgets::heading(ui, &say!("Compensate {name}", name));
+    ui.heading(say!("Compensate {name}", name));
     let differs: &[DifferingNumber] = match &compensated.result {
         Err(not_corrected) => &not_corrected.differs,
         Ok(_) => &[],
@@ -44,42 +44,32 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench) {
     match &compensated.result {
         Err(not_corrected) => {
             for problem in not_corrected.problems.iter().take(MOST_LEFT) {
-                widgets::wrong(ui, problem);
+                ui.wrong(problem);
             }
-            refused(ui, differs, workbench);
         }
         Ok(corrected) => {
-            widgets::fact_of(ui, phrase!("read as"), corrected.language);
+            ui.fact_of(phrase!("read as"), corrected.language);
             let detail = Detail::window(workbench.units());
             let orientation = workbench.loaded_session().session.robot.mobility() == 6;
-            let answer = &corrected.answer;
-            describe(
-                ui,
-                &explain::program(answer, orientation, MOST_LEFT, detail),
-            );
+            let says = explain::program(&corrected.answer, orientation, MOST_LEFT, detail);
+            describe(ui, &says);
             lines(ui, &corrected.changed);
-            let any = corrected.summary.corrected > 0;
-            if widgets::sheet_buttons_without_enter(
-                ui,
-                say!("Save corrected file…"),
-                any,
-                workbench,
-            ) {
-                workbench.then(move |bench| bench.choose_where_to_export(What::Targets));
-            }
         }
     }
-}
-
-/// What comes next where nothing was corrected: what is asked above is answered, or another file is taken.
-fn refused(ui: &mut Ui, differs: &[DifferingNumber], workbench: &Workbench) {
-    if differs.is_empty() {
-        if widgets::sheet_buttons_without_enter(ui, say!("Choose another file…"), true, workbench)
-        {
-            workbench.then(Workbench::choose_targets);
-        }
-    } else {
-        widgets::sheet_buttons_without_enter(ui, say!("Save corrected file…"), false, workbench);
+    // Where nothing was corrected what is asked above is answered, or another file is taken.
+    let (next, ready) = match &compensated.result {
+        Ok(corrected) => (
+            say!("Save corrected file…"),
+            corrected.summary.corrected > 0,
+        ),
+        Err(_) if differs.is_empty() => (say!("Choose another file…"), true),
+        Err(_) => (say!("Save corrected file…"), false),
+    };
+    match ui.foot([(say!("Cancel"), true), (next, ready)]) {
+        Some(0) => workbench.then(|bench| bench.show_sheet(None)),
+        Some(_) if compensated.result.is_err() => workbench.then(Workbench::choose_targets),
+        Some(_) => workbench.then(|bench| bench.choose_where_to_export(What::Targets)),
+        None => {}
     }
 }
 
@@ -97,7 +87,7 @@ fn asked(
         .speed(0.1)
         .suffix(" kg")
         .update_while_editing(false);
-    widgets::number(ui, say!("load where the file says none"), "kg", field);
+    ui.number(say!("load where the file says none"), "kg", field);
     let says = say!("the measuring frame is the robot's base");
     ui.checkbox(&mut wanted.measured_frame, says);
     let tool = say!("Tool of the program");
@@ -135,9 +125,8 @@ fn one_of<T: PartialEq>(ui: &mut Ui, of: &str, choices: [(T, &str); 2], value: &
         ui.label(of);
         for (choice, text) in choices {
             let name = format!("{of}: {text}");
-            let radio = ui.radio(*value == choice, text);
-            widgets::label(&radio, name);
-            if radio.clicked() {
+            let radio = RadioButton::new(*value == choice, text);
+            if ui.named(name, radio).clicked() {
                 *value = choice;
             }
         }
@@ -172,7 +161,7 @@ fn lines(ui: &mut Ui, changed: &[Changed]) {
     if changed.is_empty() {
         return;
     }
-    widgets::section(ui, say!("Lines that change"));
+    ui.section(say!("Lines that change"));
     let palette = Palette::of(ui);
     let spacing = 2.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
     let wide = ((ui.available_width() - NUMBER - spacing) / 2.0).max(80.0);

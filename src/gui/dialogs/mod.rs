@@ -1,13 +1,13 @@
 //! Sheets over the window.
 
 use egui::style::NumberFormatter;
-use egui::{Align2, Context, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui, vec2};
+use egui::{Align2, Context, Frame, Id, LayerId, Margin, Modal, Popup, ScrollArea, Ui, vec2};
 
 use crate::gui::charts::CHARTS;
 use crate::gui::help;
 use crate::gui::style::{Palette, space};
 use crate::gui::view::Sheet;
-use crate::gui::widgets::{self, Does};
+use crate::gui::widgets::{self, Buttons, Does, Words};
 use crate::gui::workbench::Workbench;
 
 mod compensation;
@@ -52,16 +52,11 @@ pub(crate) fn show(ui: &Ui, workbench: &mut Workbench) {
 }
 
 fn shown(ui: &Ui, workbench: &Workbench, sheet: &mut Sheet) {
-    let frame = egui::Frame::popup(ui.style()).inner_margin(Margin::same(space::SHEET));
     // By its head: a sheet that becomes longer or shorter while it is filled in does not move.
     let id = Id::unique("sheet");
     let below = HEAD * ui.ctx().content_rect().height();
     let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, below));
-    let modal = Modal::new(id)
-        .area(area)
-        .frame(frame)
-        .backdrop_color(Palette::of(ui).veil);
-    let shown = modal.show(ui.ctx(), |ui| {
+    let shown = veiled(ui, id).area(area).show(ui.ctx(), |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
         as_short_as_they_are(ui);
         // On a small screen, or with large text, a sheet is higher than the window, and its rows are wider.
@@ -101,22 +96,33 @@ fn shown(ui: &Ui, workbench: &Workbench, sheet: &mut Sheet) {
     }
 }
 
+/// Over the window, which is veiled behind it.
+fn veiled(ui: &Ui, id: Id) -> Modal {
+    let frame = Frame::popup(ui.style()).inner_margin(Margin::same(space::SHEET));
+    let modal = Modal::new(id).frame(frame);
+    modal.backdrop_color(Palette::of(ui).veil)
+}
+
+/// The button at the end of a sheet that only says something.
+fn done(ui: &mut Ui, workbench: &Workbench) {
+    if ui.foot([(say!("Done"), true)]).is_some() || widgets::entered(ui) {
+        workbench.then(|bench| bench.show_sheet(None));
+    }
+}
+
 /// While a dialog of the system is open the window takes no commands: what it asks for is for what is open now. It is
 /// said, as on some systems the dialog may lie behind the window.
 pub(crate) fn asking(ui: &Ui, workbench: &Workbench) {
     let Some(asking) = workbench.asking() else {
         return;
     };
-    let frame = egui::Frame::popup(ui.style()).inner_margin(Margin::same(space::SHEET));
-    let modal = Modal::new(Id::unique("dialog of the system"))
-        .frame(frame)
-        .backdrop_color(Palette::of(ui).veil);
-    modal.show(ui.ctx(), |ui| {
+    veiled(ui, Id::unique("dialog of the system")).show(ui.ctx(), |ui| {
         widgets::wide(ui, ASKING);
         ui.spacing_mut().item_spacing.y = space::ROW;
-        widgets::bold(ui, &asking.what);
-        widgets::hint(ui, say!("The window goes on once the dialog is answered"));
-        widgets::secondary(ui, say!("Go on without it")).does(workbench, Workbench::stop_asking);
+        ui.bold(&asking.what);
+        ui.hint(say!("The window goes on once the dialog is answered"));
+        ui.secondary(say!("Go on without it"))
+            .does(workbench, Workbench::stop_asking);
     });
 }
 
@@ -133,10 +139,10 @@ fn lists_above(ctx: &Context, sheet: LayerId) {
     if !Popup::is_any_open(ctx) {
         return;
     }
-    let layers = ctx.memory(|memory| memory.areas().visible_layer_ids());
-    let lists = (layers.into_iter()).filter(|layer| layer.order == sheet.order && *layer != sheet);
-    for list in lists {
-        ctx.set_sublayer(sheet, list);
+    for layer in ctx.memory(|memory| memory.areas().visible_layer_ids()) {
+        if layer.order == sheet.order && layer != sheet {
+            ctx.set_sublayer(sheet, layer);
+        }
     }
 }
 
@@ -144,21 +150,19 @@ fn lists_above(ctx: &Context, sheet: LayerId) {
 
 fn about(ui: &mut Ui, workbench: &Workbench) {
     widgets::wide(ui, 400.0);
-    widgets::heading(ui, "truepose");
-    widgets::hint(
-        ui,
-        say!("version {version}", version = env!("CARGO_PKG_VERSION")),
-    );
+    ui.heading("truepose");
+    ui.hint(say!(
+        "version {version}",
+        version = env!("CARGO_PKG_VERSION")
+    ));
     ui.label(say!("Calibrates a robot at commissioning: finds where measurement and simulation disagree, and writes what the controller needs"));
-    widgets::hint(
-        ui,
-        say!("Everything in this window can be done in the terminal too: truepose --help"),
-    );
-    widgets::hint(
-        ui,
-        say!("Type: Inter, by the Inter project authors, SIL Open Font License 1.1"),
-    );
-    widgets::done(ui, workbench);
+    ui.hint(say!(
+        "Everything in this window can be done in the terminal too: truepose --help"
+    ));
+    ui.hint(say!(
+        "Type: Inter, by the Inter project authors, SIL Open Font License 1.1"
+    ));
+    done(ui, workbench);
 }
 
 /// Height of what stands around the list, points.
@@ -167,11 +171,10 @@ const REST: f32 = 240.0;
 /// What the words mean, all of them.
 fn words(ui: &mut Ui, workbench: &Workbench) {
     widgets::wide(ui, 520.0);
-    widgets::heading(ui, say!("Glossary"));
-    widgets::hint(
-        ui,
-        say!("The same is shown beside the numbers, where the pointer rests on a name"),
-    );
+    ui.heading(say!("Glossary"));
+    ui.hint(say!(
+        "The same is shown beside the numbers, where the pointer rests on a name"
+    ));
     ui.add_space(space::TIGHT);
     let high = (ui.ctx().content_rect().height() - REST).clamp(120.0, 460.0);
     ScrollArea::vertical().max_height(high).show(ui, |ui| {
@@ -179,12 +182,12 @@ fn words(ui: &mut Ui, workbench: &Workbench) {
         let charts = CHARTS.iter().map(|chart| chart.about().word);
         let charts = charts.filter(|word| !help::ALL.contains(word));
         for word in help::ALL.iter().copied().chain(charts) {
-            widgets::bold(ui, word.name());
-            ui.add(egui::Label::new(word.means()).wrap());
+            ui.bold(word.name());
+            ui.label(word.means());
             ui.add_space(space::ROW);
         }
     });
-    widgets::done(ui, workbench);
+    done(ui, workbench);
 }
 
 #[cfg(test)]

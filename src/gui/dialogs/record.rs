@@ -4,10 +4,10 @@
 use egui::{Grid, RichText, TextEdit, Ui};
 
 use crate::compensation::decision::Rule;
-use crate::gui::style::{Palette, size, space, strong};
+use crate::gui::style::{size, space, strong};
 use crate::gui::view::{About, What};
 use crate::gui::views::{results, session};
-use crate::gui::widgets::{self, Does};
+use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::report::Details;
 use crate::text::spoken;
@@ -17,31 +17,31 @@ const DETAILS_WIDE: f32 = 640.0;
 
 pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
     widgets::wide(ui, DETAILS_WIDE);
-    widgets::heading(ui, say!("Report details"));
-    widgets::hint(
-        ui,
-        say!(
-            "Stated at the head of the report and remembered for this machine; an empty field becomes a line to fill in by hand"
-        ),
-    );
+    ui.heading(say!("Report details"));
+    ui.hint(say!(
+        "Stated at the head of the report and remembered for this machine; an empty field becomes a line to fill in by hand"
+    ));
     let before = workbench.stated();
     let mut stated = before.clone();
-    let muted = Palette::of(ui).muted;
     Grid::new("report details")
         .num_columns(2)
         .spacing([f32::from(space::PANEL), space::TIGHT])
         .show(ui, |ui| {
             for line in Details::LINES {
-                let hint = if line.key == "date" {
-                    say!("such as 22 Nov 2026")
-                } else {
-                    ""
-                };
-                text(ui, spoken(line.name), (line.of)(&mut stated.details), hint);
+                let dated = Some(say!("such as 22 Nov 2026")).filter(|_| line.key == "date");
+                let (name, value) = (spoken(line.name), (line.of)(&mut stated.details));
+                ui.weak(name);
+                field(
+                    ui,
+                    name,
+                    value,
+                    dated.unwrap_or_default(),
+                    ui.available_width(),
+                );
                 ui.end_row();
             }
             let name = say!("Logo");
-            ui.label(RichText::new(name).color(muted));
+            ui.weak(name);
             ui.horizontal(|ui| {
                 let width = ui.available_width() - 86.0;
                 let hint = say!("a PNG file");
@@ -52,49 +52,44 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
             ui.end_row();
             // In the same columns as what is above it.
             let decided = RichText::new(say!("Pass or fail"));
-            ui.label(decided.font(strong(size::SMALL)).color(muted));
+            ui.label(decided.font(strong(size::SMALL)).weak());
             ui.end_row();
-            session::tolerance(ui, workbench, widgets::number_in_a_grid);
+            session::tolerance(ui, workbench, Ui::number_in_a_grid);
             ui.end_row();
-            ui.label(RichText::new(say!("Decision rule")).color(muted));
+            ui.weak(say!("Decision rule"));
             let rules = [
                 (None, say!("not decided")),
                 (Some(Rule::Iso14253), "ISO 14253-1"),
                 (Some(Rule::Simple), say!("simple acceptance")),
             ];
-            widgets::choice(ui, &rules, &mut stated.details.rule);
+            ui.choice(&rules, &mut stated.details.rule);
             ui.end_row();
         });
     let now = workbench.document().tolerance_mm;
     if let (None, Some(last)) = (now, stated.details.tolerance_mm) {
         let says = say!("Last time it was {last} mm", last);
         ui.horizontal(|ui| {
-            ui.label(RichText::new(says).size(size::SMALL).color(muted));
-            ui.small_button(say!("Use it"))
-                .does(workbench, move |bench| {
-                    bench.edit(phrase!("set tolerance"), |document| {
-                        document.set_tolerance(Some(last))
-                    });
-                });
+            ui.caption(&says);
+            let use_it = ui.small_button(say!("Use it"));
+            use_it.does(workbench, move |bench| {
+                bench.edit(|d| d.set_tolerance(Some(last)));
+            });
         });
     }
-    widgets::hint(ui, about(stated.details.rule));
+    ui.hint(about(stated.details.rule));
     results::decision(ui, workbench);
     if stated != before {
         workbench.then(move |bench| bench.state(stated));
     }
-    ui.add_space(space::ROW);
-    ui.columns(2, |columns| {
-        let measured = !workbench.loaded_session().is_empty();
-        let report = columns[0].add_enabled_ui(measured, |ui| widgets::other(ui, say!("Report…")));
-        if report.inner.clicked() {
-            workbench.then(move |bench| bench.show_sheet(None));
-            workbench.then(move |bench| bench.choose_where_to_export(What::Report(About::Session)));
+    // Enter ends what is typed into one of many fields.
+    let measured = !workbench.loaded_session().is_empty();
+    let pressed = ui.foot([(say!("Report…"), measured), (say!("Done"), true)]);
+    if let Some(pressed) = pressed {
+        workbench.then(|bench| bench.show_sheet(None));
+        if pressed == 0 {
+            workbench.then(|bench| bench.choose_where_to_export(What::Report(About::Session)));
         }
-        // Enter ends what is typed into one of many fields.
-        widgets::primary(&mut columns[1], say!("Done"))
-            .does(workbench, move |bench| bench.show_sheet(None));
-    });
+    }
 }
 
 /// What choosing a rule means.
@@ -110,14 +105,7 @@ fn about(rule: Option<Rule>) -> &'static str {
     }
 }
 
-/// A text with its name before it.
-fn text(ui: &mut Ui, name: &str, value: &mut String, hint: &str) {
-    ui.label(RichText::new(name).color(Palette::of(ui).muted));
-    field(ui, name, value, hint, ui.available_width());
-}
-
 fn field(ui: &mut Ui, name: &str, value: &mut String, hint: &str, width: f32) {
     let edit = TextEdit::singleline(value).hint_text(hint).char_limit(400);
-    let field = ui.add(edit.desired_width(width.max(120.0)));
-    widgets::label(&field, name);
+    ui.named(name, edit.desired_width(width.max(120.0)));
 }

@@ -1,16 +1,16 @@
 //! The library of robots and one's own: found by typing, drawn as they are chosen, simulated, saved.
 
 use egui::{
-    Align, Button, Key, Layout, Modifiers, RichText, Role, ScrollArea, Sense, TextEdit, Ui, Vec2,
-    WidgetInfo, vec2,
+    Align, Button, Key, Layout, Modifiers, Role, ScrollArea, Sense, TextEdit, Ui, Vec2, WidgetInfo,
+    vec2,
 };
 
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::{Form, SimulatedRobot};
-use crate::gui::style::{Palette, space};
+use crate::gui::style::space;
 use crate::gui::view::{Camera, Sheet, What};
-use crate::gui::widgets::{self, Does};
+use crate::gui::widgets::{self, Buttons, Words};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::robot_alone;
 use crate::kinematics;
@@ -89,10 +89,9 @@ impl<'w> Robot<'w> {
     fn subtitle(self) -> String {
         match self {
             Self::Own(_) => say!("typed").to_owned(),
-            Self::Library(robot) => {
-                let reach = robot.reach_mm;
-                reach.map_or(String::new(), |mm| format!("{mm} mm"))
-            }
+            Self::Library(robot) => robot
+                .reach_mm
+                .map_or(String::new(), |mm| format!("{mm} mm")),
         }
     }
 
@@ -127,14 +126,11 @@ impl<'w> Robot<'w> {
 pub(super) fn robots(ui: &mut Ui, workbench: &Workbench) {
     let (wide, room) = sizes(ui);
     ui.set_width(wide + room.x + f32::from(space::PANEL));
-    widgets::heading(ui, say!("Robots"));
-    widgets::hint(
-        ui,
-        say!(
-            "{count} common robots with their nominal geometry: type a maker, a model or a kind",
-            count = library().len()
-        ),
-    );
+    ui.heading(say!("Robots"));
+    ui.hint(say!(
+        "{count} common robots with their nominal geometry: type a maker, a model or a kind",
+        count = library().len()
+    ));
     let id = ui.scope_id().with("typed robot");
     let before: Option<RobotsInput> = ui.data(|data| data.get_temp(id));
     let mut typed = before.unwrap_or_default();
@@ -172,7 +168,7 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench) {
         }
         ui.vertical(|ui| match chosen {
             Some(robot) => described(ui, robot, room, &mut typed.camera, workbench),
-            None => widgets::hint(ui, say!("No robot has this name")),
+            None => ui.hint(say!("No robot has this name")),
         });
     });
     typed.chosen = chosen.map_or_else(String::new, Robot::key);
@@ -240,36 +236,24 @@ fn described(
 ) {
     ui.spacing_mut().item_spacing.y = space::TIGHT;
     let size = vec2(room.x, room.y - FACTS);
-    drawn(ui, chosen.robot().as_ref(), &chosen.title(), size, camera);
+    if let Some(robot) = chosen.robot() {
+        robot_alone(ui, (&robot, &chosen.title()), camera, size);
+    }
     match chosen {
         Robot::Library(robot) => known_of(ui, robot),
         Robot::Own(table) => {
             if let Err(problem) = table.robot() {
-                widgets::wrong(ui, &spoken(&problem));
+                ui.wrong(&spoken(&problem));
             }
             let joints = table.rows.len();
             let joints = say!(one "{count} joint", "{count} joints", count = joints);
-            widgets::fact_of(ui, phrase!("kind"), joints);
-            widgets::hint(ui, say!("Typed here, and remembered on this computer"));
-            if widgets::secondary(ui, say!("Forget it")).clicked() {
+            ui.fact_of(phrase!("kind"), joints);
+            ui.hint(say!("Typed here, and remembered on this computer"));
+            if ui.secondary(say!("Forget it")).clicked() {
                 let name = table.name.clone();
                 workbench.then(move |bench| bench.forget_robot(&name));
             }
         }
-    }
-}
-
-/// A robot at its zero, where what was typed is one.
-pub(super) fn drawn(
-    ui: &mut Ui,
-    robot: Option<&kinematics::Robot>,
-    name: &str,
-    size: Vec2,
-    camera: &mut Camera,
-) {
-    if let Some(robot) = robot {
-        let name = say!("{robot} at its zero", robot = name);
-        robot_alone(ui, (robot, &name), camera, size);
     }
 }
 
@@ -279,22 +263,20 @@ fn known_of(ui: &mut Ui, robot: &LibraryRobot) {
         Some(_) => format!("{} {unit}", figure(value)),
         None => "–".to_owned(),
     };
-    widgets::fact_of(ui, phrase!("kind"), kind(robot));
+    ui.fact_of(phrase!("kind"), kind(robot));
     let [reach, load] = [with(robot.reach_mm, "mm"), with(robot.payload_kg, "kg")];
-    widgets::fact_of(ui, phrase!("reach, load"), format!("{reach}, {load}"));
-    widgets::fact_of(
-        ui,
+    ui.fact_of(phrase!("reach, load"), format!("{reach}, {load}"));
+    ui.fact_of(
         phrase!("repeatability (ISO 9283)"),
         with(robot.repeatability_mm, "mm"),
     );
     let geometry = source(&robot.sources.geometry.source);
     let geometry = geometry.map_or("", |source| source.what.as_str());
-    widgets::fact_of(ui, phrase!("geometry from"), geometry);
+    ui.fact_of(phrase!("geometry from"), geometry);
     if !robot.not_checked.is_empty() {
         let what = spoken(robot.not_checked());
         let says = say!("Not checked against a second source: {what}", what);
-        let muted = Palette::of(ui).muted;
-        ui.add(egui::Label::new(RichText::new(says).small().color(muted)).wrap());
+        ui.caption(&says);
     }
 }
 
@@ -312,41 +294,36 @@ fn kind(robot: &LibraryRobot) -> String {
     says.to_owned()
 }
 
+/// What is done with the one that is chosen.
 fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, entered: bool, workbench: &Workbench) {
-    ui.add_space(space::ROW);
-    let mut simulate = false;
-    ui.columns(4, |columns| {
-        widgets::other(&mut columns[0], say!("Cancel"))
-            .does(workbench, move |bench| bench.show_sheet(None));
-        let edit = |ui: &mut Ui| widgets::other(ui, say!("As a table…"));
-        let edit = columns[1].add_enabled_ui(chosen.is_some(), edit).inner;
-        let edit = edit.on_hover_text(say!("Change its table, or type a robot of your own"));
-        if let (true, Some(robot)) = (edit.clicked(), chosen) {
+    let any = chosen.is_some();
+    let pressed = ui.foot([
+        (say!("Cancel"), true),
+        (say!("As a table…"), any),
+        (say!("Save robot file…"), any),
+        (say!("Simulate…"), any),
+    ]);
+    match (pressed, chosen) {
+        (Some(0), _) => workbench.then(|bench| bench.show_sheet(None)),
+        (Some(1), Some(robot)) => {
             let form = SetupForm {
                 robot: robot.table(),
                 measured: None,
             };
-            workbench.then(move |bench| bench.show_sheet(Some(Sheet::set_up(form))));
+            workbench.then(|bench| bench.show_sheet(Some(Sheet::set_up(form))));
         }
-        let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
-        let save = columns[2].add_enabled_ui(chosen.is_some(), save).inner;
-        match (save.clicked(), chosen) {
-            (true, Some(Robot::Library(robot))) => {
-                workbench.then(move |bench| bench.choose_where_to_export(What::Robot(&robot.id)));
-            }
-            (true, Some(Robot::Own(table))) => {
-                let table = table.clone();
-                workbench.then(|bench| bench.keep_robot(table, true));
-            }
-            _ => {}
+        (Some(2), Some(Robot::Library(robot))) => {
+            workbench.then(|bench| bench.choose_where_to_export(What::Robot(&robot.id)));
         }
-        let primary = |ui: &mut Ui| widgets::primary(ui, say!("Simulate…"));
-        let primary = columns[3].add_enabled_ui(chosen.is_some(), primary).inner;
-        simulate = primary.clicked();
-    });
-    if let (true, Some(robot)) = (simulate || entered, chosen)
-        && let Some(form) = robot.form()
-    {
-        workbench.then(move |bench| bench.show_sheet(Some(Sheet::Simulate(form))));
+        (Some(2), Some(Robot::Own(table))) => {
+            let table = table.clone();
+            workbench.then(|bench| bench.keep_robot(table, true));
+        }
+        (_, Some(robot)) if pressed.is_some() || entered => {
+            if let Some(form) = robot.form() {
+                workbench.then(|bench| bench.show_sheet(Some(Sheet::Simulate(form))));
+            }
+        }
+        _ => {}
     }
 }

@@ -1,20 +1,20 @@
 //! A robot that is typed: axes or Denavit–Hartenberg rows in a table, the robot drawn beside it; that of the open session
 //! with its reflectors and its instrument.
 
-use egui::{Button, CollapsingHeader, Grid, RichText, ScrollArea, TextEdit, Ui, vec2};
+use egui::{Button, Checkbox, Grid, RichText, ScrollArea, TextEdit, Ui, vec2};
 use nalgebra::Point3;
 
 use crate::gui::core::robot_table::{RobotTable, Row, TableForm};
 use crate::gui::core::setup::{Measured, SetupForm};
 use crate::gui::core::simulate::{self, SimulatedRobot};
 use crate::gui::help;
-use crate::gui::style::{Palette, size, space};
+use crate::gui::style::{size, space};
 use crate::gui::view::{Camera, Sheet};
-use crate::gui::widgets::{self, Does};
+use crate::gui::widgets::{self, Buttons, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::sessions::{Session, Sigma, Target};
 
-use super::robots::drawn;
+use crate::gui::workspace::robot_alone;
 
 /// Width of the table with axes and of that with rows, points.
 const AXES: f32 = 708.0;
@@ -58,13 +58,10 @@ pub(super) fn show(ui: &mut Ui, form: &mut SetupForm, workbench: &Workbench) {
     } else {
         say!("Robot as a table")
     };
-    widgets::heading(ui, heading);
-    widgets::hint(
-        ui,
-        say!(
-            "Nominal geometry as the maker states it; the robot is drawn at its zero as it is typed"
-        ),
-    );
+    ui.heading(heading);
+    ui.hint(say!(
+        "Nominal geometry as the maker states it; the robot is drawn at its zero as it is typed"
+    ));
     head(ui, typed);
     let made = typed.robot();
     ui.with_layout(layout, |ui| {
@@ -75,13 +72,11 @@ pub(super) fn show(ui: &mut Ui, form: &mut SetupForm, workbench: &Workbench) {
             let scroll = ScrollArea::both().id_salt("rows").auto_shrink(false);
             scroll.max_height(high).show(ui, |ui| {
                 rows(ui, typed, measured.is_none());
-                folded(ui, say!("Masses of links"), |ui| {
-                    masses(ui, &mut typed.rows);
-                });
+                ui.collapsing(say!("Masses of links"), |ui| masses(ui, &mut typed.rows));
                 if let Some(measured) = measured {
                     let session = &workbench.loaded_session().session;
-                    folded(ui, say!("Reflectors"), |ui| targets(ui, measured, session));
-                    folded(ui, say!("Instrument"), |ui| instrument(ui, measured));
+                    ui.collapsing(say!("Reflectors"), |ui| targets(ui, measured, session));
+                    ui.collapsing(say!("Instrument"), |ui| instrument(ui, measured));
                 }
                 widgets::focus_in_sight(ui);
             });
@@ -89,15 +84,17 @@ pub(super) fn show(ui: &mut Ui, form: &mut SetupForm, workbench: &Workbench) {
         ui.vertical(|ui| {
             let id = ui.scope_id().with("camera");
             let mut camera: Camera = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-            let (robot, size) = (made.as_ref().ok(), vec2(picture, high));
-            drawn(ui, robot, typed.name.trim(), size, &mut camera);
+            if let Ok(robot) = &made {
+                let named = (robot, typed.name.trim());
+                robot_alone(ui, named, &mut camera, vec2(picture, high));
+            }
             ui.data_mut(|data| data.insert_temp(id, camera));
         });
     });
     frames(ui, typed);
     let problem = form.problem();
     if let Some(problem) = &problem {
-        widgets::wrong(ui, problem);
+        ui.wrong(problem);
     }
     ends(ui, form, problem.is_none(), workbench);
 }
@@ -111,11 +108,11 @@ pub(super) fn table(ui: &mut Ui, typed: &mut RobotTable) {
 
 /// Name of the robot, and in which terms it is typed.
 fn head(ui: &mut Ui, typed: &mut RobotTable) {
-    widgets::form_row(ui, say!("Name"), |ui| {
-        let field = ui.add(TextEdit::singleline(&mut typed.name));
-        widgets::label(&field, say!("Name of the robot"));
+    ui.form_row(say!("Name"), |ui| {
+        let field = TextEdit::singleline(&mut typed.name);
+        ui.named(say!("Name of the robot"), field);
     });
-    widgets::form_row(ui, say!("Joints as"), |ui| {
+    ui.form_row(say!("Joints as"), |ui| {
         let forms = [
             (
                 TableForm::Axes,
@@ -133,18 +130,16 @@ fn head(ui: &mut Ui, typed: &mut RobotTable) {
                 say!("Denavit–Hartenberg rows, modified: the link before the joint"),
             ),
         ];
-        if let Some(form) = widgets::segmented_named(ui, &forms, typed.form)
-            && let Some(turned) = typed.turned_into(form)
-        {
+        let form = ui.segmented_named(&forms, typed.form);
+        if let Some(turned) = form.and_then(|form| typed.turned_into(form)) {
             *typed = turned;
         }
-        widgets::question(ui, help::AXIS);
+        ui.question(help::AXIS);
     });
 }
 
 /// The joints, one in a row; whether there may be more and fewer of them: a session has a value of each.
 fn rows(ui: &mut Ui, typed: &mut RobotTable, any: bool) {
-    let muted = Palette::of(ui).muted;
     let heads = typed.form.numbers();
     let mut gone = None;
     let several = any && typed.rows.len() > 1;
@@ -152,12 +147,9 @@ fn rows(ui: &mut Ui, typed: &mut RobotTable, any: bool) {
         .min_col_width(0.0)
         .spacing(vec2(4.0, 4.0))
         .show(ui, |ui| {
-            let head = |ui: &mut Ui, text: &str| {
-                ui.label(RichText::new(text).small().color(muted));
-            };
-            head(ui, "");
-            head(ui, say!("joint"));
-            head(ui, say!("moves"));
+            for head in ["", say!("joint"), say!("moves")] {
+                ui.caption(head);
+            }
             for (name, unit) in heads {
                 let name = heading(name);
                 let text = if unit.is_empty() {
@@ -166,18 +158,19 @@ fn rows(ui: &mut Ui, typed: &mut RobotTable, any: bool) {
                     format!("{name}, {unit}")
                 };
                 // No wider than the numbers below it.
-                ui.label(RichText::new(text).size(size::TINY).color(muted));
+                ui.label(RichText::new(text).size(size::TINY).weak());
             }
-            head(ui, say!("from"));
-            head(ui, say!("to"));
-            head(ui, "");
+            for head in [say!("from"), say!("to"), ""] {
+                ui.caption(head);
+            }
             ui.end_row();
             for (index, row) in typed.rows.iter_mut().enumerate() {
-                head(ui, &(index + 1).to_string());
-                joint(ui, index + 1, row, heads);
-                let remove =
-                    ui.add_enabled(several, Button::new("×").min_size(vec2(24.0, NAME[1])));
-                widgets::label(&remove, say!("Remove joint {joint}", joint = index + 1));
+                let number = index + 1;
+                ui.caption(&number.to_string());
+                joint(ui, number, row, heads);
+                let remove = Button::new("×").min_size(vec2(24.0, NAME[1]));
+                let remove = ui.add_enabled(several, remove);
+                widgets::label(&remove, say!("Remove joint {joint}", joint = number));
                 if remove.clicked() {
                     gone = Some(index);
                 }
@@ -188,10 +181,8 @@ fn rows(ui: &mut Ui, typed: &mut RobotTable, any: bool) {
         typed.remove(index);
     }
     let room = any && typed.rows.len() < RobotTable::MOST_JOINTS;
-    if ui
-        .add_enabled(room, Button::new(say!("Add a joint")))
-        .clicked()
-    {
+    let add = ui.add_enabled(room, Button::new(say!("Add a joint")));
+    if add.clicked() {
         typed.add();
     }
 }
@@ -208,23 +199,16 @@ fn heading(name: &'static str) -> &'static str {
 fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'static str)]) {
     let name = ui.add_sized(NAME, TextEdit::singleline(&mut row.name));
     widgets::label(&name, say!("Name of joint {joint}", joint = number));
-    let says = if row.slides {
-        say!(in "joint", "slides")
+    let (says, name) = if row.slides {
+        let name = say!("Joint {joint} slides", joint = number);
+        (say!(in "joint", "slides"), name)
     } else {
-        say!(in "joint", "turns")
+        let name = say!("Joint {joint} turns", joint = number);
+        (say!(in "joint", "turns"), name)
     };
     let kind = ui.add_sized(MOVES, Button::new(says));
-    widgets::label(
-        &kind,
-        if row.slides {
-            say!("Joint {joint} slides", joint = number)
-        } else {
-            say!("Joint {joint} turns", joint = number)
-        },
-    );
-    if kind.clicked() {
-        row.slides = !row.slides;
-    }
+    widgets::label(&kind, name);
+    row.slides ^= kind.clicked();
     for (k, (value, (name, unit))) in row.numbers.iter_mut().zip(heads).enumerate() {
         // The second and third of three stand behind the heading of the first.
         let of = ["axis", "axis", "axis", "point", "point", "point"][k];
@@ -239,28 +223,22 @@ fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'st
     let unit = row.unit();
     let mut travel = row.travel.is_some();
     let [mut from, mut to] = row.travel.unwrap_or([-180.0, 180.0]);
-    let ends = [
-        (
-            say!("Travel of joint {joint}, from", joint = number),
-            &mut from,
-        ),
-        (say!("Travel of joint {joint}, to", joint = number), &mut to),
+    let labels = [
+        say!("Travel of joint {joint}, from", joint = number),
+        say!("Travel of joint {joint}, to", joint = number),
     ];
     // Each a row of its own height: what is switched off or unknown would else hang below the others.
-    for (label, value) in ends {
+    for (label, value) in labels.iter().zip([&mut from, &mut to]) {
         ui.horizontal(|ui| {
             if !travel {
                 ui.disable();
             }
-            cell(ui, &label, unit, value);
+            cell(ui, label, unit, value);
         });
     }
-    let known = ui.checkbox(&mut travel, "");
-    let known = known.on_hover_text(say!("The travel of the joint is known"));
-    widgets::label(
-        &known,
-        say!("The travel of joint {joint} is known", joint = number),
-    );
+    let name = say!("The travel of joint {joint} is known", joint = number);
+    let known = ui.named(name, Checkbox::without_text(&mut travel));
+    known.on_hover_text(say!("The travel of the joint is known"));
     row.travel = travel.then_some([from, to]);
 }
 
@@ -273,12 +251,12 @@ fn cell(ui: &mut Ui, label: &str, unit: &str, value: &mut f64) {
 fn frames(ui: &mut Ui, typed: &mut RobotTable) {
     let signs = ["x", "y", "z", "A", "B", "C"];
     let six = |ui: &mut Ui, row: &str, values: &mut [f64; 6]| {
-        widgets::form_row(ui, row, |ui| {
+        ui.form_row(row, |ui| {
             let (at, turned) = values.split_at_mut(3);
             widgets::numbers(ui, (row, "mm"), &signs[..3], at, (NUMBER, 1.0));
             widgets::numbers(ui, (row, "°"), &signs[3..], turned, (NUMBER, 1.0));
             if row == say!("Tool") {
-                widgets::question(ui, help::TOOL);
+                ui.question(help::TOOL);
             }
         });
     };
@@ -286,11 +264,10 @@ fn frames(ui: &mut Ui, typed: &mut RobotTable) {
         six(ui, say!("Base of the rows"), &mut typed.base);
     }
     six(ui, say!("Tool"), &mut typed.tool);
-    widgets::hint(
-        ui,
-        say!("x, y, z in mm; A, B, C in degrees about z, the new y and the new x"),
-    );
-    widgets::form_row(ui, say!("Gravity"), |ui| {
+    ui.hint(say!(
+        "x, y, z in mm; A, B, C in degrees about z, the new y and the new x"
+    ));
+    ui.form_row(say!("Gravity"), |ui| {
         let mut known = typed.gravity.is_some();
         if ui.checkbox(&mut known, say!("is known, m/s²")).changed() {
             typed.gravity = known.then_some([0.0, 0.0, -9.81]);
@@ -301,20 +278,15 @@ fn frames(ui: &mut Ui, typed: &mut RobotTable) {
     });
 }
 
-fn folded(ui: &mut Ui, title: &str, contents: impl FnOnce(&mut Ui)) {
-    CollapsingHeader::new(title).show(ui, contents);
-}
-
 /// What of each link is carried: its mass and where its centre is.
 fn masses(ui: &mut Ui, rows: &mut [Row]) {
-    widgets::caption(ui, say!("kg, and the centre at home in the base frame, mm"));
+    ui.caption(say!("kg, and the centre at home in the base frame, mm"));
     for (k, row) in rows.iter_mut().enumerate() {
         let n = k + 1;
-        widgets::form_row(ui, &row.name, |ui| {
+        ui.form_row(&row.name, |ui| {
             let mut known = row.link.is_some();
-            let field = ui.checkbox(&mut known, "");
-            widgets::label(&field, say!("The mass of link {n} is known", n));
-            if field.changed() {
+            let name = say!("The mass of link {n} is known", n);
+            if ui.named(name, Checkbox::without_text(&mut known)).changed() {
                 let [.., x, y, z] = row.numbers;
                 row.link = known.then_some((1.0, [x, y, z]));
             }
@@ -328,11 +300,8 @@ fn masses(ui: &mut Ui, rows: &mut [Row]) {
 }
 
 fn targets(ui: &mut Ui, measured: &mut Measured, session: &Session) {
-    widgets::caption(ui, say!("in the tool frame, mm"));
-    let (count, free) = (
-        measured.targets.len(),
-        measured.last_target_is_free(session),
-    );
+    ui.caption(say!("in the tool frame, mm"));
+    let free = measured.last_target_is_free(session);
     for (k, target) in measured.targets.iter_mut().enumerate() {
         let n = k + 1;
         ui.horizontal(|ui| {
@@ -347,17 +316,16 @@ fn targets(ui: &mut Ui, measured: &mut Measured, session: &Session) {
         measured.targets.pop();
     }
     if ui.link(say!("Add a reflector")).clicked() {
-        measured.targets.push(Target {
-            name: format!("T{}", count + 1),
-            position_mm: Point3::origin(),
-        });
+        let name = format!("T{}", measured.targets.len() + 1);
+        let position_mm = Point3::origin();
+        measured.targets.push(Target { name, position_mm });
     }
 }
 
 fn instrument(ui: &mut Ui, measured: &mut Measured) {
-    widgets::form_row(ui, say!("Name"), |ui| {
-        let name = ui.add(TextEdit::singleline(&mut measured.instrument));
-        widgets::label(&name, say!("Name of the instrument"));
+    ui.form_row(say!("Name"), |ui| {
+        let field = TextEdit::singleline(&mut measured.instrument);
+        ui.named(say!("Name of the instrument"), field);
     });
     let (kind, size) = match measured.sigma {
         None => (0, 0.03),
@@ -369,8 +337,8 @@ fn instrument(ui: &mut Ui, measured: &mut Measured) {
         (1, say!("one number")),
         (3, "x, y, z"),
     ];
-    widgets::form_row(ui, say!("noise, one σ, mm"), |ui| {
-        if let Some(kind) = widgets::segmented(ui, &kinds, kind) {
+    ui.form_row(say!("noise, one σ, mm"), |ui| {
+        if let Some(kind) = ui.segmented(&kinds, kind) {
             measured.sigma = match kind {
                 0 => None,
                 1 => Some(Sigma::Overall(size)),
@@ -383,46 +351,34 @@ fn instrument(ui: &mut Ui, measured: &mut Measured) {
             Some(Sigma::PerAxis(sigma)) => (&XYZ[..], &mut sigma[..]),
         };
         widgets::numbers(ui, (say!("Noise"), "mm"), parts, values, (NUMBER, 0.001));
-        widgets::question(ui, help::NOISE);
+        ui.question(help::NOISE);
     });
 }
 
 fn ends(ui: &mut Ui, form: &SetupForm, sound: bool, workbench: &Workbench) {
-    ui.add_space(space::ROW);
     let of_session = form.measured.is_some();
-    ui.columns(3, |columns| {
-        let back = (!of_session).then_some(Sheet::ROBOTS);
-        widgets::other(&mut columns[0], say!("Cancel"))
-            .does(workbench, move |bench| bench.show_sheet(back));
-        let save = |ui: &mut Ui| widgets::other(ui, say!("Save robot file…"));
-        let save = columns[1].add_enabled_ui(sound, save).inner;
-        let text = if of_session {
-            say!("Use it here")
-        } else {
-            say!("Simulate…")
-        };
-        let primary = |ui: &mut Ui| widgets::primary(ui, text);
-        let primary = columns[2].add_enabled_ui(sound, primary).inner;
-        let table = form.robot.clone();
-        if save.clicked() {
-            workbench.then(move |bench| {
-                bench.show_sheet(None);
-                bench.keep_robot(table, true);
-            });
-        } else if primary.clicked() && of_session {
-            let form = form.clone();
-            workbench.then(move |bench| {
-                bench.show_sheet(None);
-                bench.edit(phrase!("edit robot and instrument"), |document| {
-                    document.set_up(&form)
-                });
-            });
-        } else if let (true, Some(robot)) = (primary.clicked(), SimulatedRobot::typed(&table)) {
-            let form = simulate::Form::of(robot);
-            workbench.then(move |bench| {
-                bench.keep_robot(table, false);
-                bench.show_sheet(Some(Sheet::Simulate(form)));
-            });
+    let primary = if of_session {
+        say!("Use it here")
+    } else {
+        say!("Simulate…")
+    };
+    let cancel = (say!("Cancel"), true);
+    let buttons = [cancel, (say!("Save robot file…"), sound), (primary, sound)];
+    let (Some(pressed), form) = (ui.foot(buttons), form.clone()) else {
+        return;
+    };
+    workbench.then(move |bench| {
+        bench.show_sheet((pressed == 0 && !of_session).then_some(Sheet::ROBOTS));
+        match pressed {
+            0 => {}
+            1 => bench.keep_robot(form.robot, true),
+            _ if of_session => bench.edit(|document| document.set_up(&form)),
+            _ => {
+                let robot = SimulatedRobot::typed(&form.robot);
+                bench.keep_robot(form.robot, false);
+                let form = robot.map(simulate::Form::of);
+                bench.show_sheet(form.map(Sheet::Simulate));
+            }
         }
     });
 }

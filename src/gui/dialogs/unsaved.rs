@@ -10,7 +10,7 @@ use crate::export::find;
 
 use crate::gui::style::space;
 use crate::gui::view::{NextAction, Sheet, What};
-use crate::gui::widgets::{self, Does};
+use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 
 /// Shows what would be lost, and what can be done about it.
@@ -26,7 +26,7 @@ pub(super) fn losses(ui: &mut Ui, workbench: &Workbench, then: &NextAction) {
             say!("Simulate without saving"),
         ),
     };
-    widgets::heading(ui, title);
+    ui.heading(title);
     let name = &workbench.loaded_session().session.name;
     let losses = workbench.at_risk();
     if losses.session {
@@ -65,12 +65,11 @@ pub(super) fn losses(ui: &mut Ui, workbench: &Workbench, then: &NextAction) {
 /// pressed.
 fn decided(ui: &mut Ui, keep: &str, lose: &str, workbench: &Workbench) -> [bool; 2] {
     ui.add_space(space::ROW);
-    let kept = widgets::primary(ui, keep).clicked();
+    let kept = ui.primary(keep).clicked();
     let lost = ui.columns(2, |columns| {
-        let lost = widgets::secondary(&mut columns[0], lose).clicked();
-        widgets::secondary(&mut columns[1], say!("Cancel"))
-            .does(workbench, move |bench| bench.show_sheet(None));
-        lost
+        let cancel = columns[1].secondary(say!("Cancel"));
+        cancel.does(workbench, |bench| bench.show_sheet(None));
+        columns[0].secondary(lose).clicked()
     });
     [kept, lost]
 }
@@ -78,25 +77,21 @@ fn decided(ui: &mut Ui, keep: &str, lose: &str, workbench: &Workbench) -> [bool;
 /// Asks before what was typed on a sheet is discarded.
 pub(super) fn typed(ui: &mut Ui, sheet: &Sheet, workbench: &Workbench) {
     widgets::wide(ui, 420.0);
-    widgets::heading(ui, say!("Discard what was typed?"));
-    ui.add_space(space::ROW);
-    ui.columns(2, |columns| {
-        if widgets::other(&mut columns[0], say!("Discard")).clicked() {
-            let before = sheet.before();
-            workbench.then(|bench| bench.show_sheet(before));
-        }
-        let goes_on = widgets::primary(&mut columns[1], say!("Go on with it"));
-        if goes_on.clicked() || widgets::entered(&columns[1]) {
-            let sheet = sheet.clone();
-            workbench.then(|bench| bench.show_sheet(Some(sheet)));
-        }
-    });
+    ui.heading(say!("Discard what was typed?"));
+    let pressed = ui.foot([(say!("Discard"), true), (say!("Go on with it"), true)]);
+    if pressed.is_some() || widgets::entered(ui) {
+        let next = match pressed {
+            Some(0) => sheet.before(),
+            _ => Some(sheet.clone()),
+        };
+        workbench.then(|bench| bench.show_sheet(next));
+    }
 }
 
 /// Asks whether a file that changed since it was read is to be replaced.
 pub(super) fn overwrite(ui: &mut Ui, path: &Path, workbench: &Workbench) {
     widgets::wide(ui, 420.0);
-    widgets::heading(ui, say!("Replace what another program wrote?"));
+    ui.heading(say!("Replace what another program wrote?"));
     ui.label(say!(
         "{path} changed since it was read. Saving here would replace what was written there",
         path = path.display()
@@ -118,43 +113,40 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench) {
         return;
     };
     widgets::wide(ui, 460.0);
-    widgets::heading(ui, say!("Recover unsaved work"));
-    widgets::hint(
-        ui,
-        say!(
-            "The last time the program ended without warning. Nothing is lost unless it is discarded here: what is not restored now is offered again"
-        ),
-    );
+    ui.heading(say!("Recover unsaved work"));
+    ui.hint(say!(
+        "The last time the program ended without warning. Nothing is lost unless it is discarded here: what is not restored now is offered again"
+    ));
     widgets::card(ui, |ui| {
-        widgets::bold(ui, &left.kept.session.name);
+        ui.bold(&left.kept.session.name);
         if let Some(ago) = left.when.and_then(ago) {
-            widgets::fact_of(ui, phrase!("last saved"), ago);
+            ui.fact_of(phrase!("last saved"), ago);
         }
         let samples = left.kept.session.samples.len().to_string();
-        widgets::fact_of(ui, phrase!("samples"), samples);
+        ui.fact_of(phrase!("samples"), samples);
         let file = left.kept.about.file.as_ref().and_then(|f| f.file_name());
         let file = file.map_or(say!("no file").into(), |f| f.to_string_lossy());
-        widgets::fact_of(ui, phrase!("file"), file);
+        ui.fact_of(phrase!("file"), file);
     });
     // What is discarded cannot be brought back: it takes a second press.
     let id = Id::unique(("discard of the recovery", left.when));
     let sure = ui.data(|data| data.get_temp(id).unwrap_or(false));
-    ui.columns(3, |columns| {
-        let says = if sure {
-            say!("Discard for good")
-        } else {
-            say!("Discard")
-        };
-        if widgets::other(&mut columns[0], says).clicked() {
-            columns[0].data_mut(|data| data.insert_temp(id, !sure));
-            if sure {
-                workbench.then(Workbench::discard_left_behind);
-            }
-        }
-        widgets::other(&mut columns[1], say!("Not now"))
-            .does(workbench, |bench| bench.show_sheet(None));
-        widgets::primary(&mut columns[2], say!("Restore")).does(workbench, Workbench::restore);
-    });
+    let discard = if sure {
+        say!("Discard for good")
+    } else {
+        say!("Discard")
+    };
+    match ui.foot([
+        (discard, true),
+        (say!("Not now"), true),
+        (say!("Restore"), true),
+    ]) {
+        Some(0) if sure => workbench.then(Workbench::discard_left_behind),
+        Some(0) => drop(ui.data_mut(|data| data.insert_temp(id, true))),
+        Some(1) => workbench.then(|bench| bench.show_sheet(None)),
+        Some(_) => workbench.then(Workbench::restore),
+        None => {}
+    }
 }
 
 /// How long ago, in words.
@@ -202,9 +194,9 @@ pub(super) fn path(
         what.title()
     };
     widgets::wide(ui, 420.0);
-    widgets::heading(ui, title);
-    let field = ui.add(TextEdit::singleline(typed).desired_width(f32::INFINITY));
-    widgets::label(&field, say!("Path to save to"));
+    ui.heading(title);
+    let edit = TextEdit::singleline(typed).desired_width(f32::INFINITY);
+    let field = ui.named(say!("Path to save to"), edit);
     // The field is what the sheet is for: what is typed goes into it from the first letter on.
     if ui.memory(|memory| memory.focused().is_none()) && !field.lost_focus() {
         field.request_focus();
@@ -214,12 +206,14 @@ pub(super) fn path(
     let place = workbench.placed(typed.trim().as_ref());
     if let (Some(folder), Some(name)) = (place.parent(), place.file_name()) {
         let (folder, name) = (folder.display(), name.to_string_lossy());
-        widgets::hint(ui, say!("{name}, in the folder {folder}", name, folder));
+        ui.hint(say!("{name}, in the folder {folder}", name, folder));
     }
     ui.checkbox(allowed, say!("replace the file if it exists"));
     let named = !typed.trim().is_empty();
-    let pressed = widgets::sheet_buttons(ui, say!("Save"), named, workbench);
-    if named && (pressed || entered) {
+    let pressed = ui.foot([(say!("Cancel"), true), (say!("Save"), named)]);
+    if pressed == Some(0) {
+        workbench.then(|bench| bench.show_sheet(None));
+    } else if named && (pressed.is_some() || entered || widgets::entered(ui)) {
         let (path, allowed) = (PathBuf::from(typed.trim()), *allowed);
         workbench.then(move |bench| bench.export_as(what, path, allowed));
     }

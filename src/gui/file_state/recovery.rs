@@ -16,7 +16,7 @@ use sha2::{Digest, Sha256};
 
 use crate::atomic::{WriteError, write_atomically};
 use crate::document::number::hexadecimal;
-use crate::gui::core::document::Choices;
+use crate::gui::core::choices::Choices;
 use crate::gui::core::document::Document;
 use crate::pipeline;
 use crate::sessions::Session;

@@ -1,6 +1,5 @@
 //! A chart on the screen, and its legend above it.
 
-use crate::gui::workbench::Workbench;
 use egui::epaint::Mesh;
 use egui::{
     Align, Align2, Color32, FontId, Layout, Painter, Pos2, Rect, Response, Role, Sense, Shape,
@@ -8,13 +7,13 @@ use egui::{
 };
 use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 
-use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Ticks};
+use crate::present::chart::{Chart, ColourRole, Item, Ticks};
 use crate::present::drawing::Anchor;
 
 use crate::gui::style::{Palette, size};
-use crate::gui::widgets;
+use crate::gui::widgets::Words;
 
-use crate::gui::plots::{self, many, mark, of_chart, places};
+use crate::gui::plots::{self, many, of_chart, places};
 
 /// What something that stands for this is drawn in.
 pub(super) fn color(stands: ColourRole, palette: &Palette) -> Color32 {
@@ -206,118 +205,6 @@ impl Canvas<'_> {
     }
 }
 
-/// Height of the line, points.
-const HEIGHT: f32 = 18.0;
-/// Width of a mark, points.
-const MARK: f32 = 16.0;
-/// A chart of this height has room for lines more, points.
-const HIGH: f32 = 220.0;
-/// Between names, points.
-const BETWEEN: f32 = 12.0;
-
-/// Between a chart's bar and the chart: what the marks are, and what has to be said. It has rows of its own, so
-/// that no mark is covered; what may go is left out by a press. `shown`: whether it is there; `None`: it cannot go.
-pub(crate) fn legend(ui: &mut Ui, chart: &Chart, shown: Option<bool>, workbench: &Workbench) {
-    let high = ui.available_height() > HIGH;
-    ui.scope(|ui| {
-        ui.spacing_mut().interact_size.y = HEIGHT;
-        ui.spacing_mut().item_spacing = vec2(BETWEEN, 0.0);
-        ui.horizontal_wrapped(|ui| {
-            for one in &chart.legend {
-                let shown = shown.filter(|_| one.may_go);
-                if entry(ui, one, shown) {
-                    workbench.then(move |bench| bench.view.only_after = shown == Some(true));
-                }
-            }
-            if !chart.note.is_empty() {
-                let note = egui::RichText::new(&chart.note).size(size::SMALL);
-                let note = egui::Label::new(note.color(Palette::of(ui).muted));
-                ui.add(if high { note.wrap() } else { note.truncate() });
-            }
-        });
-    });
-}
-
-/// A name with its mark; whether it was pressed.
-fn entry(ui: &mut Ui, entry: &Entry, shown: Option<bool>) -> bool {
-    let palette = Palette::of(ui);
-    let off = shown == Some(false);
-    let color = if off { palette.nominal } else { palette.muted };
-    let font = FontId::proportional(size::SMALL);
-    let painter = ui.painter().clone();
-    let galley = painter.layout_no_wrap(entry.name.clone(), font, color);
-    let sense = if shown.is_some() {
-        Sense::click()
-    } else {
-        Sense::hover()
-    };
-    let wide = vec2(MARK + galley.size().x, HEIGHT);
-    let (rect, response) = ui.allocate_exact_size(wide, sense);
-    let name = &entry.name;
-    match shown {
-        Some(shown) => response.widget_info(|| {
-            WidgetInfo::selected(Role::CheckBox, true, shown, say!("show {name}", name))
-        }),
-        None => response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name)),
-    }
-    if shown.is_some() && (response.hovered() || response.has_focus()) {
-        painter.rect_filled(rect.expand2(vec2(4.0, 0.0)), 3.0, palette.inset);
-    }
-    let middle = pos2(rect.left() + 5.0, rect.center().y);
-    let full = self::color(entry.role, &palette);
-    let faded = if off { full.gamma_multiply(0.35) } else { full };
-    painter.extend(symbol(middle, entry, faded));
-    let at = pos2(rect.left() + MARK, rect.center().y - 0.5 * galley.size().y);
-    let right = at.x + galley.size().x;
-    painter.galley(at, galley, color);
-    if off {
-        let through = [pos2(at.x, rect.center().y), pos2(right, rect.center().y)];
-        painter.line_segment(through, Stroke::new(1.0, color));
-    }
-    let clicked = response.clicked();
-    if let Some(shown) = shown {
-        response.on_hover_text(if shown {
-            say!("Leave it out, so that what is left can be seen")
-        } else {
-            say!("Show it as well")
-        });
-    }
-    clicked
-}
-
-fn symbol(at: egui::Pos2, entry: &Entry, color: Color32) -> Vec<Shape> {
-    match entry.sign {
-        LegendSymbol::Mark(form) => {
-            let fill = if entry.filled {
-                color
-            } else {
-                Color32::TRANSPARENT
-            };
-            vec![mark(at, 3.4, form, fill, Stroke::new(1.2, color))]
-        }
-        LegendSymbol::Bar | LegendSymbol::Band => {
-            let rect = Rect::from_center_size(at, vec2(9.0, 9.0));
-            vec![if entry.sign == LegendSymbol::Band {
-                Shape::rect_filled(rect, 1.0, color.gamma_multiply(0.3))
-            } else if entry.filled {
-                Shape::rect_filled(rect, 1.0, color)
-            } else {
-                let inside = egui::StrokeKind::Inside;
-                Shape::rect_stroke(rect, 1.0, Stroke::new(1.5, color), inside)
-            }]
-        }
-        LegendSymbol::Line => {
-            let ends = [at - vec2(6.0, 0.0), at + vec2(6.0, 0.0)];
-            let stroke = Stroke::new(1.8, color);
-            if entry.filled {
-                vec![Shape::line_segment(ends, stroke)]
-            } else {
-                Shape::dashed_line(&ends, stroke, 3.5, 2.0)
-            }
-        }
-    }
-}
-
 /// What stands in the place of a chart that cannot be drawn.
 pub(crate) fn empty(ui: &mut Ui, title: &str, why: &str) {
     let room = ui.available_size();
@@ -330,7 +217,7 @@ pub(crate) fn empty(ui: &mut Ui, title: &str, why: &str) {
     let area = area.with_min_y(top);
     let layout = Layout::top_down(Align::Center);
     ui.scope_builder(egui::UiBuilder::new().max_rect(area).layout(layout), |ui| {
-        widgets::bold(ui, title);
-        widgets::hint(ui, why);
+        ui.bold(title);
+        ui.hint(why);
     });
 }

@@ -3,6 +3,7 @@
 //! (what is shown), a layout (where it goes; both are tested without pixels) and paint (egui).
 
 pub(crate) mod chart;
+pub(crate) mod legend;
 
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -16,7 +17,7 @@ use egui_plot::{Axis, AxisHints, GridMark, Plot, PlotResponse, PlotTransform, Pl
 
 use crate::gui::style::{Palette, size};
 use crate::gui::view::What;
-use crate::gui::widgets::{self, Does};
+use crate::gui::widgets::{self, Buttons, Does, Words};
 use crate::gui::workbench::Workbench;
 use crate::present::chart::{Form, Ticks, ticks};
 use crate::present::numbers::trimmed;
@@ -25,7 +26,7 @@ use crate::text::{Template, spoken};
 /// Saves a plot as a file.
 pub(crate) fn picture(ui: &mut Ui, plot: crate::gui::view::Plot, workbench: &Workbench) {
     let says = say!("Save picture of the {plot}…", plot = plot.title());
-    let button = widgets::icon_button(ui, widgets::SAVE, &says);
+    let button = ui.icon_button(widgets::SAVE, &says);
     button.on_hover_text(&says).does(workbench, move |bench| {
         bench.choose_where_to_export(What::Picture(plot));
     });
@@ -46,7 +47,7 @@ pub(crate) fn axis<'a>(
     palette: &Palette,
     shown: impl Fn(f64) -> f64 + 'a,
 ) -> Vec<AxisHints<'a>> {
-    let label = RichText::new(label).size(size::SMALL).color(palette.muted);
+    let label = RichText::new(label).small().weak();
     let room = match axis {
         Axis::X => Rangef::new(34.0, 56.0),
         Axis::Y => Rangef::new(18.0, 28.0),
@@ -309,13 +310,13 @@ fn sound(plot: &PlotUi<'_>, closer: Vec2) -> bool {
 
 /// Four corners: shows everything again. Says how to look at a part.
 pub(crate) fn fit(ui: &mut Ui, name: &str) -> bool {
-    let button = widgets::icon_button(ui, widgets::FIT, name);
+    let button = ui.icon_button(widgets::FIT, name);
     let response = button.on_hover_ui(|ui| {
         ui.set_max_width(320.0);
-        widgets::bold(ui, name);
+        ui.bold(name);
         for (how, what) in GESTURES {
             let says = format!("{}: {}", spoken(how), spoken(what));
-            ui.label(RichText::new(says).size(size::SMALL));
+            ui.label(RichText::new(says).small());
         }
     });
     response.clicked()

@@ -13,11 +13,11 @@ use crate::gui::plots::chart::Canvas;
 use crate::gui::plots::{self, figure, picture, ring};
 use crate::gui::style::{MIDDLE, Palette, size, space};
 use crate::gui::view::{Front, Plot, Step};
-use crate::gui::widgets::{self, Does};
+use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::{self, Handles, marked, nearest};
 
-use super::blocks;
+use super::copies;
 
 /// Room for the marks at the right end of the bar, points.
 const MARKS: f32 = 112.0;
@@ -44,7 +44,7 @@ pub(crate) fn middle(ui: &mut Ui, workbench: &Workbench) {
     if high < WORKSPACE + CHART || ui.available_width() < MIDDLE {
         CentralPanel::no_frame().frame(frame).show(ui, |ui| {
             if workbench.view.front == Front::Chart {
-                widgets::row(ui, |ui| switch(ui, workbench));
+                ui.row(|ui| switch(ui, workbench));
                 show(ui, workbench);
             } else {
                 workspace::bar(ui, workbench, Some(switch));
@@ -75,25 +75,25 @@ fn switch(ui: &mut Ui, workbench: &Workbench) {
         (Front::Workspace, say!("Workspace")),
         (Front::Chart, say!("Chart")),
     ];
-    if let Some(front) = widgets::segmented(ui, &names, workbench.view.front) {
+    if let Some(front) = ui.segmented(&names, workbench.view.front) {
         workbench.then(move |bench| bench.view.front = front);
     }
 }
 
 fn show(ui: &mut Ui, workbench: &Workbench) {
     let kind = workbench.kind();
-    let scene = workbench.scene_of(kind);
-    bar(ui, workbench, kind, &scene);
-    match kind.show(&scene) {
-        Ok(shown) => plotted(ui, workbench, kind, &shown),
-        Err(missing) => plots::chart::empty(ui, &missing.title, missing.why),
+    bar(ui, workbench, kind, &workbench.scene());
+    match workbench.charted() {
+        Some(Ok(shown)) => plotted(ui, workbench, kind, shown),
+        Some(Err(missing)) => plots::chart::empty(ui, &missing.title, missing.why),
+        None => plots::chart::empty(ui, say!("Computing…"), ""),
     }
 }
 
-fn plotted(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, shown: &Shown<'_>) {
+fn plotted(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, shown: &Shown) {
     let view = &workbench.view;
     let before = workbench.answer().map(|_| !view.only_after);
-    plots::chart::legend(ui, &shown.chart, before, workbench);
+    plots::legend::legend(ui, &shown.chart, before, workbench);
     let title = format!("{} {}", kind.about().id, shown.chart.title);
     let fitted = view.fitted.charts;
     let id = (&*title, workbench.only_after(), fitted);
@@ -221,7 +221,7 @@ fn list<T: Copy + PartialEq + Send + 'static, N: AsRef<str>>(
     does: impl FnOnce(&mut Workbench, T) + Send + 'static,
 ) {
     let list = ComboBox::from_id_salt(of)
-        .selected_text(egui::RichText::new(shown).size(size::SMALL))
+        .selected_text(egui::RichText::new(shown).small())
         .width(0.0)
         .height(360.0);
     let chosen = widgets::list(ui, of, list, offered, current);
@@ -278,7 +278,7 @@ fn bar(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, scene: &Scene) 
         about.name()
     };
     let below = beside > 0.0 && beside_all < width(ui, name);
-    widgets::row(ui, |ui| {
+    ui.row(|ui| {
         ui.spacing_mut().item_spacing.x = space::ROW;
         let offered = CHARTS.iter().filter(|chart| chart.is_offered(scene));
         let offered = offered.map(|chart| (chart.about().id, chart.about().name()));
@@ -299,8 +299,8 @@ fn bar(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, scene: &Scene) 
             if plots::fit(ui, say!("Fit chart to view")) {
                 workbench.then(|bench| bench.view.fitted.charts += 1);
             }
-            blocks::chart_button(ui, &about, workbench);
-            widgets::question(ui, about.word);
+            copies::chart_button(ui, &about, workbench);
+            ui.question(about.word);
         });
     });
     if below {

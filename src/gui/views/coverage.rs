@@ -6,7 +6,7 @@ use egui::{RichText, Ui};
 
 use crate::gui::style::{Palette, size, strong};
 use crate::gui::view::Step;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Words};
 use crate::gui::workbench::Workbench;
 use crate::present::names::title;
 use crate::present::numbers::grouped;
@@ -36,48 +36,33 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
 
 /// How far off the nominal robot is.
 fn gap(ui: &mut Ui, workbench: &Workbench) {
-    let palette = Palette::of(ui);
     let units = workbench.units();
     let loaded_session = workbench.loaded_session();
     widgets::card(ui, |ui| {
-        let name =
-            ui.label(RichText::new(say!("RMS error of the nominal robot")).color(palette.muted));
+        let name = ui.weak(say!("RMS error of the nominal robot"));
         widgets::explained(name, crate::gui::help::GAP);
         let rms = loaded_session.gap_before;
         let rms = rms.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
-        ui.label(
-            RichText::new(rms)
-                .font(strong(size::DISPLAY))
-                .color(palette.before),
-        );
+        let rms = RichText::new(rms).font(strong(size::DISPLAY));
+        ui.label(rms.color(Palette::of(ui).before));
         if let Some(gap) = loaded_session.gap_before {
-            widgets::fact_of(ui, phrase!("largest deviation"), units.length(gap.max_mm));
+            ui.fact_of(phrase!("largest deviation"), units.length(gap.max_mm));
         }
         if let Some(tolerance_mm) = workbench.document().tolerance_mm {
             let (inside, all) = loaded_session.overview.lengths.within(tolerance_mm);
-            widgets::fact_of(
-                ui,
-                phrase!("within tolerance"),
-                say!(
-                    "{inside} of {all}",
-                    inside = grouped(inside),
-                    all = grouped(all)
-                ),
-            );
+            let (inside, all) = (grouped(inside), grouped(all));
+            let within = say!("{inside} of {all}", inside, all);
+            ui.fact_of(phrase!("within tolerance"), within);
         }
         if let Some(floor_mm) = loaded_session.coverage.floor_mm {
             let floor = say!("{floor}, instrument", floor = units.length(floor_mm));
-            widgets::fact_of(ui, phrase!("noise floor"), floor);
+            ui.fact_of(phrase!("noise floor"), floor);
         }
-        if workbench.document().identified {
-            return;
-        }
-        widgets::hint(
-            ui,
-            say!(
+        if !workbench.document().identified {
+            ui.hint(say!(
                 "Not identified yet. The identified parameters will be listed here, each with its 95 % interval"
-            ),
-        );
+            ));
+        }
     });
 }
 
@@ -87,25 +72,18 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
     widgets::card(ui, |ui| {
         let known = &loaded_session.coverage;
         let (yes, no) = (known.testable.len(), known.not_testable.len());
-        widgets::fact_of(
-            ui,
-            phrase!("testable effects"),
-            say!("{yes} of {no}", yes, no = yes + no),
-        );
-
+        let says = say!("{yes} of {no}", yes, no = yes + no);
+        ui.fact_of(phrase!("testable effects"), says);
         let can = say!("{yes} can be tested", yes);
-        widgets::folded(ui, &can, size::NOTE, |ui| {
+        ui.folded(&can, |ui| {
             let names = known.testable.iter();
             let names: Vec<&str> = names.map(|id| title(id)).collect();
-            widgets::hint(ui, names.join(", ").to_lowercase());
+            ui.hint(names.join(", ").to_lowercase());
         });
-        if no == 0 {
-            return;
+        if no > 0 {
+            let cannot = say!("{no} cannot, and why", no);
+            ui.folded(&cannot, |ui| not_testable(ui, workbench));
         }
-        let cannot = say!("{no} cannot, and why", no);
-        widgets::folded(ui, &cannot, size::NOTE, |ui| {
-            not_testable(ui, workbench);
-        });
     });
 }
 
@@ -113,32 +91,26 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
 pub(super) fn not_testable(ui: &mut Ui, workbench: &Workbench) {
     for one in &workbench.loaded_session().coverage.not_testable {
         ui.label(title(one.effect));
-        widgets::hint(ui, spoken(&one.because));
+        ui.hint(spoken(&one.because));
     }
 }
 
 /// What a search does, before there is one.
 fn search(ui: &mut Ui) {
     widgets::card(ui, |ui| {
-        widgets::bold(ui, say!("No diagnosis yet"));
-        widgets::hint(
-            ui,
-            say!(
-                "Effects that are found will be listed here with size, confidence and what to check on the machine. Where the samples cannot decide, both are listed, with the poses that would decide"
-            ),
-        );
+        ui.bold(say!("No diagnosis yet"));
+        ui.hint(say!(
+            "Effects that are found will be listed here with size, confidence and what to check on the machine. Where the samples cannot decide, both are listed, with the poses that would decide"
+        ));
     });
 }
 
 /// What can be written, before there is anything to write.
 fn formats(ui: &mut Ui) {
     widgets::card(ui, |ui| {
-        widgets::bold(ui, say!("Nothing to export yet"));
-        widgets::hint(
-            ui,
-            say!(
-                "The table comes from the identified robot. It will be shown here as text, with its sign convention in words, the RMS error that it leaves, and what joint commands cannot correct"
-            ),
-        );
+        ui.bold(say!("Nothing to export yet"));
+        ui.hint(say!(
+            "The table comes from the identified robot. It will be shown here as text, with its sign convention in words, the RMS error that it leaves, and what joint commands cannot correct"
+        ));
     });
 }

@@ -4,12 +4,13 @@ use egui::{DragValue, RichText, ScrollArea, Ui};
 
 use crate::explain::{self, Block, Detail, Exported, Section, Topic};
 use crate::export::{EXPORTERS, find};
+use crate::gui::actions;
 use crate::gui::cache::{ExportPreview, StandardsFigures};
 use crate::gui::core::document::ExportChoice;
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::view::{About, Sheet, Step, What};
-use crate::gui::views::blocks;
-use crate::gui::widgets::{self, Does};
+use crate::gui::view::{About, Step, What};
+use crate::gui::views::{blocks, copies};
+use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::language::spoken;
 
@@ -20,10 +21,9 @@ const FIRST_STEP: f64 = 1.0;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
-        widgets::hint(
-            ui,
-            say!("There is nothing to export yet: the table comes from the identified robot"),
-        );
+        ui.hint(say!(
+            "There is nothing to export yet: the table comes from the identified robot"
+        ));
     } else {
         not_added(ui, workbench);
         export(ui, workbench);
@@ -38,20 +38,15 @@ fn not_added(ui: &mut Ui, workbench: &Workbench) {
     if missing.is_empty() {
         return;
     }
-    let names = missing.iter().map(|term| {
-        let about = term.effect.about();
-        let joint = about.per_joint.then_some(term.joint + 1);
-        in_words(about.id, joint, workbench)
-    });
+    let names = missing.iter().map(|term| in_words(term, workbench));
     let names = names.collect::<Vec<_>>().join("; ");
     let says = say!(
         "Found, but not in the model, so not corrected: {names}",
         names
     );
-    ui.label(RichText::new(says).color(Palette::of(ui).warning));
-    if widgets::secondary(ui, &blocks::add_all(missing.len())).clicked() {
-        workbench.then(move |bench| bench.add(&missing));
-    }
+    ui.colored_label(Palette::of(ui).warning, says);
+    let add = ui.secondary(&blocks::add_all(missing.len()));
+    add.does(workbench, move |bench| bench.edit(|d| d.add(&missing)));
 }
 
 /// The report: of the session, and of the model that is exported.
@@ -61,23 +56,16 @@ fn reports(ui: &mut Ui, workbench: &Workbench) {
     if !measured && !identified {
         return;
     }
-    widgets::section(ui, say!("Report"));
-    let report = |ui: &mut Ui, text: &str, about| {
-        if widgets::secondary(ui, text).clicked() {
-            let what = What::Report(about);
-            workbench.then(move |bench| bench.choose_where_to_export(what));
-        }
-    };
+    ui.section(say!("Report"));
     if measured {
-        widgets::secondary(ui, say!("Report details…"))
-            .does(workbench, |bench| bench.show_sheet(Some(Sheet::DETAILS)));
-        report(ui, say!("Report…"), About::Session);
+        actions::REPORT_DETAILS.button(ui, workbench);
+        actions::REPORT.button(ui, workbench);
         let says = if workbench.diagnosis().is_some() {
             say!("HTML or PDF: what was measured, the effects found, the open points")
         } else {
             say!("HTML or PDF: the session is diagnosed first, which takes a while")
         };
-        widgets::hint(ui, says);
+        ui.hint(says);
     }
     if identified {
         let text = if measured {
@@ -85,74 +73,67 @@ fn reports(ui: &mut Ui, workbench: &Workbench) {
         } else {
             say!("Report…")
         };
-        report(ui, text, About::Model);
+        let what = What::Report(About::Model);
+        let report = ui.secondary(text);
+        report.does(workbench, move |bench| bench.choose_where_to_export(what));
     }
 }
 
 fn export(ui: &mut Ui, workbench: &Workbench) {
     let choice = workbench.document().export;
-    widgets::section(ui, say!("Format"));
+    ui.section(say!("Format"));
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         let robot = &workbench.loaded_session().session.robot;
         for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
             let response = ui.radio(format.id == choice.format, spoken(format.title));
-            if response.clicked() && format.id != choice.format {
-                workbench.then(move |bench| {
-                    bench.choose_export(ExportChoice {
-                        format: format.id,
-                        ..choice
-                    });
-                });
+            let format = format.id;
+            if response.clicked() && format != choice.format {
+                let choice = ExportChoice { format, ..choice };
+                workbench.edits(move |document| document.choose_export(choice));
             }
         }
     });
     // A description of the robot is about all joints and has no steps.
     if find(choice.format).is_some_and(|format| format.rules.is_some()) {
-        widgets::section(ui, say!("Table"));
+        ui.section(say!("Table"));
         joint_and_step(ui, workbench, choice);
     }
     match workbench.export() {
         None if workbench.is_unprepared() => {
-            widgets::hint(ui, say!("The preparation of the table was cancelled"));
-            widgets::secondary(ui, say!("Prepare the table"))
-                .does(workbench, Workbench::prepare_again);
+            ui.hint(say!("The preparation of the table was cancelled"));
+            let again = ui.secondary(say!("Prepare the table"));
+            again.does(workbench, Workbench::prepare_again);
         }
-        None => widgets::hint(ui, say!("The table is being prepared")),
+        None => ui.hint(say!("The table is being prepared")),
         Some(Err(because)) => {
-            let color = Palette::of(ui).outside;
-            ui.label(RichText::new(because).color(color));
+            ui.colored_label(Palette::of(ui).outside, because);
             if is_refused_for_an_arm(workbench) {
-                widgets::hint(
-                    ui,
-                    say!(
-                        "Corrected targets and programs take all of the model: “Compensate…” below, or choose another format"
-                    ),
-                );
+                ui.hint(say!(
+                    "Corrected targets and programs take all of the model: “Compensate…” below, or choose another format"
+                ));
             } else {
                 // What the format cannot hold is switched off here, or left out of the fit.
                 super::gap::switches(ui, workbench);
-                widgets::secondary(ui, say!("Go to identify"))
-                    .does(workbench, move |bench| bench.view.step = Step::Identify);
+                let back = ui.secondary(say!("Go to identify"));
+                back.does(workbench, |bench| bench.view.step = Step::Identify);
             }
         }
         Some(Ok(made)) => {
             if let Some(table) = &made.export.reads_as {
                 let entries = table.forward.places().len();
-                widgets::fact_of(ui, phrase!("entries"), entries.to_string());
+                ui.fact_of(phrase!("entries"), entries.to_string());
             }
-            widgets::section(ui, say!("Also"));
+            ui.section(say!("Also"));
             let what = if made.export.reads_as.is_some() {
                 say!("Copy table")
             } else {
                 say!("Copy text")
             };
-            if widgets::secondary(ui, what).clicked() {
+            if ui.secondary(what).clicked() {
                 ui.copy_text(text_of(made));
             }
-            widgets::secondary(ui, say!("Save model…")).does(workbench, move |bench| {
-                bench.choose_where_to_export(What::Model);
-            });
+            actions::SAVE_MODEL.button(ui, workbench);
         }
     }
 }
@@ -163,7 +144,7 @@ fn joint_and_step(ui: &mut Ui, workbench: &Workbench, choice: ExportChoice) {
     if joints.len() > 1 {
         let mut joint = choice.joint + 1;
         let field = DragValue::new(&mut joint).range(1..=joints.len());
-        widgets::number(ui, say!("joint"), "", field);
+        ui.number(say!("joint"), "", field);
         next.joint = joint - 1;
     }
     let unit = joints[choice.joint].kind.sign();
@@ -172,15 +153,12 @@ fn joint_and_step(ui: &mut Ui, workbench: &Workbench, choice: ExportChoice) {
         next.step = own.then_some(FIRST_STEP);
     }
     if let Some(step) = &mut next.step {
-        let field = DragValue::new(step)
-            .range(0.001..=90.0)
-            .speed(0.02)
-            .max_decimals(4)
-            .suffix(unit);
-        widgets::number(ui, say!("step"), unit.trim(), field);
+        let field = DragValue::new(step).range(0.001..=90.0).speed(0.02);
+        let field = field.max_decimals(4).suffix(unit);
+        ui.number(say!("step"), unit.trim(), field);
     }
     if next != choice {
-        workbench.then(move |bench| bench.choose_export(next));
+        workbench.edits(move |document| document.choose_export(next));
     }
 }
 
@@ -197,12 +175,12 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
     match workbench.export() {
         Some(Ok(made)) => made_preview(ui, workbench, made),
         // Why stands at the left, beside what can be done instead.
-        Some(Err(_)) => widgets::hint(ui, say!("No preview: this export is refused")),
+        Some(Err(_)) => ui.hint(say!("No preview: this export is refused")),
         None if workbench.answer().is_none() => super::coverage::show(ui, workbench),
         None if workbench.is_unprepared() => {
-            widgets::hint(ui, say!("The preparation of the table was cancelled"));
+            ui.hint(say!("The preparation of the table was cancelled"));
         }
-        None => widgets::hint(ui, say!("The table is being prepared")),
+        None => ui.hint(say!("The table is being prepared")),
     }
     standards(ui, workbench);
 }
@@ -225,35 +203,28 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &ExportPreview) {
         widgets::card(ui, |ui| leaves(ui, &section));
     }
     widgets::card(ui, |ui| {
-        let name = made
-            .export
-            .documents
-            .first()
-            .map_or("", |d| d.name.as_str());
-        widgets::bold(ui, name);
+        let first = made.export.documents.first();
+        ui.bold(first.map_or("", |document| &document.name));
         // What the sign means stands with the numbers, the rest on demand.
         if let Some(Block::List(lines)) = more.first().and_then(|section| section.blocks.first()) {
             blocks::show(ui, &[Block::List(lines[..1].to_vec())]);
         }
         text(ui, &text_of(made));
         for section in &more {
-            widgets::folded(ui, &section.title, size::SMALL, |ui| {
-                blocks::show(ui, &section.blocks);
-            });
+            ui.folded(&section.title, |ui| blocks::show(ui, &section.blocks));
         }
     });
 }
 
 /// The figure that counts is large, the others are below it.
 fn leaves(ui: &mut Ui, section: &Section) {
-    let palette = Palette::of(ui);
-    ui.label(RichText::new(&section.title).color(palette.muted));
+    ui.weak(&section.title);
     let [Block::Facts(facts), rest @ ..] = &section.blocks[..] else {
         return blocks::show(ui, &section.blocks);
     };
     if let Some((_, left)) = facts.first() {
         let left = RichText::new(left).font(strong(size::DISPLAY));
-        ui.label(left.color(palette.after));
+        ui.label(left.color(Palette::of(ui).after));
     }
     blocks::show(ui, &[Block::Facts(facts[1..].to_vec())]);
     blocks::show(ui, rest);
@@ -278,18 +249,14 @@ fn text(ui: &mut Ui, text: &str) {
     let more = text.lines().count().saturating_sub(lines.len());
     if more > 0 {
         ui.add_space(space::TIGHT);
-        widgets::hint(
-            ui,
-            say!(one "and {count} more line", "and {count} more lines", count = more),
-        );
+        ui.hint(say!(one "and {count} more line", "and {count} more lines", count = more));
     }
 }
 
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
-        widgets::primary(ui, say!("Go to identify"))
-            .does(workbench, move |bench| bench.view.step = Step::Identify);
-        return;
+        let back = ui.primary(say!("Go to identify"));
+        return back.does(workbench, |bench| bench.view.step = Step::Identify);
     }
     let format = find(workbench.document().export.format);
     let title = format.map_or(say!("table"), |f| f.extension);
@@ -300,13 +267,11 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     };
     let ready = matches!(workbench.export(), Some(Ok(_))) || workbench.is_unprepared();
     if is_refused_for_an_arm(workbench) {
-        widgets::primary(ui, say!("Compensate…")).does(workbench, Workbench::choose_targets);
-        return;
+        let compensate = ui.primary(say!("Compensate…"));
+        return compensate.does(workbench, Workbench::choose_targets);
     }
-    let save = ui.add_enabled_ui(ready, |ui| widgets::primary(ui, &says));
-    save.inner.does(workbench, move |bench| {
-        bench.choose_where_to_export(What::Table);
-    });
+    let save = ui.add_enabled_ui(ready, |ui| ui.primary(&says)).inner;
+    save.does(workbench, |bench| bench.choose_where_to_export(What::Table));
 }
 
 /// Whether what was chosen cannot hold the model of a robot with several joints: corrected targets can.
@@ -317,18 +282,14 @@ fn is_refused_for_an_arm(workbench: &Workbench) -> bool {
 
 /// Targets and programs: what is corrected where the controller takes no table.
 fn targets(ui: &mut Ui, workbench: &Workbench) {
-    widgets::section(ui, say!("Targets and programs"));
+    ui.section(say!("Targets and programs"));
     // One button of a name: where nothing else is ready it is the main one.
-    if !is_refused_for_an_arm(workbench) && widgets::secondary(ui, say!("Compensate…")).clicked()
-    {
+    if !is_refused_for_an_arm(workbench) && ui.secondary(say!("Compensate…")).clicked() {
         workbench.then(Workbench::choose_targets);
     }
-    widgets::hint(
-        ui,
-        say!(
-            "A table of targets (CSV), RAPID, KRL, URScript or FANUC LS: its targets are corrected in place, and what changes is shown before anything is saved"
-        ),
-    );
+    ui.hint(say!(
+        "A table of targets (CSV), RAPID, KRL, URScript or FANUC LS: its targets are corrected in place, and what changes is shown before anything is saved"
+    ));
 }
 
 /// Accuracy and repeatability as the standards state them, before and after, where there is something measured.
@@ -337,10 +298,10 @@ fn standards(ui: &mut Ui, workbench: &Workbench) {
         return;
     }
     widgets::card(ui, |ui| {
-        widgets::bold(ui, say!("Accuracy and repeatability"));
+        ui.bold(say!("Accuracy and repeatability"));
         match workbench.figures() {
-            None => widgets::hint(ui, say!("The figures are being computed")),
-            Some(Err(because)) => widgets::hint(ui, because),
+            None => ui.hint(say!("The figures are being computed")),
+            Some(Err(because)) => ui.hint(because),
             Some(Ok(made)) => tables(ui, made),
         }
     });
@@ -354,10 +315,10 @@ fn tables(ui: &mut Ui, made: &StandardsFigures) {
         _ => None,
     };
     if tables().any(|block| table(block).is_some()) {
-        blocks::button(ui, say!("figures"), || tables().filter_map(table).collect());
+        copies::button(ui, say!("figures"), || tables().filter_map(table).collect());
     }
     for section in &sections {
-        widgets::section(ui, &section.title);
+        ui.section(&section.title);
         ui.push_id(&section.title, |ui| blocks::show(ui, &section.blocks));
     }
 }

@@ -3,23 +3,27 @@
 use std::borrow::Cow;
 
 use egui::{
-    CursorIcon, ProgressBar, Rect, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Checkbox, CursorIcon, ProgressBar, Rect, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo,
+    vec2,
 };
+use egui_plot::{PlotBounds, PlotPoint, PlotTransform};
 
 use crate::diagnosis::{Diagnosis, Verdict};
 use crate::effects::Term;
 use crate::explain::{Block, Detail, Section, Topic, found_effect};
 use crate::fit::Estimate;
+use crate::gui::actions;
 use crate::gui::charts::effect::{self, EffectCurve};
-use crate::gui::core::answer::term_of;
 use crate::gui::core::document::Method;
 use crate::gui::core::overview::stride;
+use crate::gui::core::search::term_of;
 use crate::gui::jobs::Running;
 use crate::gui::plots::disc;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Step, What};
 use crate::gui::views::blocks::{self, Title, curve_link, in_words};
-use crate::gui::widgets::{self, Does};
+use crate::gui::views::copies;
+use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
 use crate::present::names::{parameter, title_of};
@@ -28,24 +32,19 @@ use crate::text::within;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.loaded_session().is_empty() {
-        widgets::hint(
-            ui,
-            say!("Open a session that was measured on this robot first"),
-        );
+        ui.hint(say!("Open a session that was measured on this robot first"));
         return;
     }
-    widgets::hint(
-        ui,
-        say!(
-            "Finds the physical effects that the model lacks. Each is checked on samples that its fit has not used (cross-validation)"
-        ),
-    );
+    ui.hint(say!(
+        "Finds the physical effects that the model lacks. Each is checked on samples that its fit has not used (cross-validation)"
+    ));
     if workbench.searching().is_some() {
         under_way_here(ui, workbench);
         return;
     }
     if workbench.diagnosis().is_some() {
-        widgets::secondary(ui, say!("Run diagnosis again")).does(workbench, Workbench::search);
+        let again = ui.secondary(say!("Run diagnosis again"));
+        again.does(workbench, Workbench::search);
     } else {
         before(ui, workbench);
     }
@@ -61,28 +60,23 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
     let floor = loaded_session.coverage.floor_mm;
     let says = match (left, floor) {
         (None, _) => say!("The diagnosis identifies by itself: Identify need not come first"),
-        (Some(left), Some(floor)) if left < 1.2 * floor => {
-            say!(
-                "Little error is left above the instrument's noise. The diagnosis says where nothing is missing, with the detection limits"
-            )
-        }
+        (Some(left), Some(floor)) if left < 1.2 * floor => say!(
+            "Little error is left above the instrument's noise. The diagnosis says where nothing is missing, with the detection limits"
+        ),
         (Some(_), Some(_)) => {
             say!("More error is left than noise explains: something is missing in the model")
         }
-        (Some(_), None) => {
-            say!(
-                "The noise of the instrument is not stated: the diagnosis estimates it from the samples"
-            )
-        }
+        (Some(_), None) => say!(
+            "The noise of the instrument is not stated: the diagnosis estimates it from the samples"
+        ),
     };
-    widgets::hint(ui, says);
+    ui.hint(says);
     let document = workbench.document();
     if document.loaded_model.is_some() || document.identified && document.method == Method::Regional
     {
-        let says = say!(
+        ui.hint(say!(
             "The diagnosis starts from the full model, which takes the place of what is identified now. Undo brings that back"
-        );
-        widgets::hint(ui, says);
+        ));
     }
 }
 
@@ -91,8 +85,8 @@ fn under_way_here(ui: &mut Ui, workbench: &Workbench) {
     let Some(running) = workbench.searching() else {
         return;
     };
-    widgets::section(ui, say!("Diagnosing"));
-    if !crate::gui::actions::layout(ui.ctx(), workbench).results() {
+    ui.section(say!("Diagnosing"));
+    if !actions::layout(ui.ctx(), workbench).results() {
         names(ui, &running.found());
     }
     let bar = ProgressBar::new(running.progress().unwrap_or(0.0));
@@ -106,16 +100,14 @@ pub(super) fn switches(ui: &mut Ui, workbench: &Workbench) {
     if added.is_empty() {
         return;
     }
-    widgets::section(ui, say!("In the model"));
+    ui.section(say!("In the model"));
     for (index, one) in added.iter().enumerate() {
         let mut on = one.on;
-        let about = one.term.effect.about();
-        let joint = about.per_joint.then_some(one.term.joint + 1);
-        let name = in_words(about.id, joint, workbench);
-        let switch = ui.checkbox(&mut on, &name);
-        widgets::label(&switch, say!("use {effect}", effect = within(&name)));
-        if switch.changed() {
-            workbench.then(move |bench| bench.switch(index, on));
+        let name = in_words(&one.term, workbench);
+        let switch = Checkbox::new(&mut on, &name);
+        let name = say!("use {effect}", effect = within(&name));
+        if ui.named(name, switch).changed() {
+            workbench.edits(move |document| document.switch(index, on));
         }
     }
 }
@@ -124,23 +116,20 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if workbench.searching().is_some() {
         // It lies where it was started: the second click of a double click is not meant for it.
         let meant = widgets::has_stood(ui, "stop the search");
-        let stop = |ui: &mut Ui| widgets::secondary(ui, say!("Stop the search"));
-        ui.add_enabled_ui(meant, stop)
-            .inner
-            .does(workbench, Workbench::stop_search);
-        return;
+        let stop = |ui: &mut Ui| ui.secondary(say!("Stop the search"));
+        let stop = ui.add_enabled_ui(meant, stop).inner;
+        return stop.does(workbench, Workbench::stop_search);
     }
     let missing = workbench.not_added();
     if workbench.diagnosis().is_none() {
-        let measured = !workbench.loaded_session().is_empty();
-        let button = ui.add_enabled_ui(measured, |ui| widgets::primary(ui, say!("Run diagnosis")));
-        button.inner.does(workbench, Workbench::search);
+        actions::SEARCH.next(ui, workbench);
     } else if !missing.is_empty() {
         // The effect that was found comes before the table that would leave it uncorrected.
-        let text = super::blocks::add_all(missing.len());
-        widgets::primary(ui, &text).does(workbench, move |bench| bench.add(&missing));
-    } else if widgets::primary(ui, say!("Continue to export")).clicked() {
-        workbench.then(move |bench| bench.view.step = Step::Export);
+        let add = ui.primary(&blocks::add_all(missing.len()));
+        add.does(workbench, move |bench| bench.edit(|d| d.add(&missing)));
+    } else {
+        let on = ui.primary(say!("Continue to export"));
+        on.does(workbench, |bench| bench.view.step = Step::Export);
     }
 }
 
@@ -149,7 +138,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
 // simulated.
 
 pub(super) fn findings(ui: &mut Ui, workbench: &Workbench) {
-    widgets::heading(ui, say!("Diagnosis"));
+    ui.heading(say!("Diagnosis"));
     ui.add_space(space::TIGHT);
     widgets::scroll(ui, "findings", |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
@@ -162,7 +151,7 @@ pub(super) fn findings(ui: &mut Ui, workbench: &Workbench) {
         };
         match beneath {
             None => crate::gui::views::coverage::show(ui, workbench),
-            Some(Err(because)) => widgets::hint(ui, because),
+            Some(Err(because)) => ui.hint(because),
             Some(Ok(diagnosis)) => all(ui, workbench, diagnosis),
         }
     });
@@ -175,12 +164,8 @@ fn under_way(ui: &mut Ui, workbench: &Workbench) {
         0 => say!("Nothing found so far"),
         _ => say!("Found so far; a likelier name may take the place of one"),
     };
-    so_far(
-        ui,
-        say!("Diagnosis is running"),
-        says,
-        &found.unwrap_or_default(),
-    );
+    let found = found.unwrap_or_default();
+    so_far(ui, say!("Diagnosis is running"), says, &found);
 }
 
 /// What a diagnosis that was stopped had found until then.
@@ -190,19 +175,17 @@ fn stopped(ui: &mut Ui, workbench: &Workbench) {
     };
     let says = match found.len() {
         0 => say!("It had found nothing until then"),
-        _ => {
-            say!(
-                "Found until then, not yet tested against other names: run the diagnosis again to test them"
-            )
-        }
+        _ => say!(
+            "Found until then, not yet tested against other names: run the diagnosis again to test them"
+        ),
     };
     so_far(ui, say!("Diagnosis stopped"), says, found);
 }
 
 fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
     widgets::card(ui, |ui| {
-        widgets::bold(ui, name);
-        widgets::hint(ui, says);
+        ui.bold(name);
+        ui.hint(says);
         names(ui, found);
     });
 }
@@ -239,7 +222,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
                 blocks::mend_all(ui, &d.data_problems, workbench);
             }
             Topic::Found(index) if index + 1 == d.found.len() => {
-                blocks::button(ui, say!("found effects"), || blocks::found(d));
+                copies::button(ui, say!("found effects"), || copies::found(d));
             }
             _ => {}
         }
@@ -271,9 +254,8 @@ fn buttons(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, section: &Section)
         Topic::DataProblem(index) => blocks::of_problem(ui, &d.data_problems[index], workbench),
         Topic::Unnamed => blocks::unexplained(ui, workbench, d),
         Topic::NextPoses => {
-            widgets::secondary(ui, say!("Save measuring list…")).does(workbench, move |bench| {
-                bench.choose_where_to_export(What::Poses);
-            });
+            let save = ui.secondary(say!("Save measuring list…"));
+            save.does(workbench, |bench| bench.choose_where_to_export(What::Poses));
         }
         _ => {}
     }
@@ -281,10 +263,10 @@ fn buttons(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, section: &Section)
 
 /// What is looked up once in a while, folded below its title.
 fn in_small(ui: &mut Ui, section: &Section, d: &Diagnosis) {
-    widgets::folded(ui, &section.title, size::SMALL, |ui| {
+    ui.folded(&section.title, |ui| {
         blocks::show(ui, &section.blocks);
         if section.topic == Topic::Limits {
-            blocks::button(ui, say!("detection limits"), || blocks::limits(d));
+            copies::button(ui, say!("detection limits"), || copies::limits(d));
         }
     });
 }
@@ -303,19 +285,19 @@ fn hidden(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     } else {
         say!("Show what was hidden")
     };
-    if widgets::secondary(ui, says).clicked() {
+    if ui.secondary(says).clicked() {
         ui.data_mut(|data| data.insert_temp(id, !shown));
     }
     if !shown {
         return;
     }
     widgets::card(ui, |ui| {
-        widgets::bold(ui, say!("Hidden in this simulation"));
-        if hidden.is_empty() {
-            widgets::hint(ui, say!("Nothing"));
+        ui.bold(say!("Hidden in this simulation"));
+        ui.hint(if hidden.is_empty() {
+            say!("Nothing")
         } else {
-            widgets::hint(ui, say!("hidden → found"));
-        }
+            say!("hidden → found")
+        });
         for term in hidden {
             one(ui, workbench, term, d);
         }
@@ -327,10 +309,8 @@ fn one(ui: &mut Ui, workbench: &Workbench, term: &Term, d: &Diagnosis) {
     let about = term.effect.about();
     let joint = about.per_joint.then_some(term.joint + 1);
     let of_this = |one: &&Estimate| one.effect == about.id && one.joint == joint;
-    let found = d
-        .found
-        .iter()
-        .find(|f| f.effect == about.id && f.joint == joint);
+    let mut found = d.found.iter();
+    let found = found.find(|f| f.effect == about.id && f.joint == joint);
     let palette = Palette::of(ui);
     let (says, color) = if found.is_some() {
         (say!("found"), palette.within)
@@ -340,33 +320,31 @@ fn one(ui: &mut Ui, workbench: &Workbench, term: &Term, d: &Diagnosis) {
         (say!("not found"), palette.warning)
     };
     ui.horizontal_wrapped(|ui| {
-        let name = in_words(about.id, joint, workbench);
-        ui.label(RichText::new(name).font(strong(size::SMALL)));
-        ui.label(RichText::new(says).color(color));
+        ui.label(RichText::new(in_words(term, workbench)).font(strong(size::SMALL)));
+        ui.colored_label(color, says);
     });
     let estimates: Vec<&Estimate> = match found {
         Some(found) => found.parameters.iter().collect(),
         None => d.identified.iter().filter(of_this).collect(),
     };
     let units = workbench.units();
-    let joints = &workbench.loaded_session().session.robot.joints;
-    let kind = joints
-        .get(term.joint)
-        .map_or(JointKind::Revolute, |j| j.kind);
+    let joint = workbench
+        .loaded_session()
+        .session
+        .robot
+        .joints
+        .get(term.joint);
+    let kind = joint.map_or(JointKind::Revolute, |joint| joint.kind);
     for hidden in term.parameters_on(kind) {
         let (name, unit) = parameter(hidden.name);
         let gap = |unit: &str| if ["", "°"].contains(&unit) { "" } else { " " }.to_owned() + unit;
         let mut says = significant(hidden.value, 3) + &gap(unit);
         if let Some(one) = estimates.iter().find(|one| one.name == hidden.name) {
             let (value, half, unit) = units.estimate(one, unit);
-            let half = if half.is_empty() {
-                half
-            } else {
-                format!(" {half}")
-            };
-            says += &format!(" → {value}{half}{}", gap(unit));
+            let value = format!("{value} {half}");
+            says += &format!(" → {}{}", value.trim_end(), gap(unit));
         }
-        widgets::fact(ui, &name, with_minus_signs(&says));
+        ui.fact(&name, with_minus_signs(&says));
     }
 }
 
@@ -390,7 +368,7 @@ fn effect_card(
     let says = [say!("Add to model"), say!("in the model")];
     blocks::in_the_model(ui, workbench, term, says);
     ui.push_id(index, |ui| {
-        widgets::folded(ui, say!("More"), size::SMALL, |ui| blocks::show(ui, more));
+        ui.folded(say!("More"), |ui| blocks::show(ui, more));
     });
 }
 
@@ -416,11 +394,7 @@ fn sketch(ui: &mut Ui, workbench: &Workbench, (index, curve): (usize, &EffectCur
     let palette = Palette::of(ui);
     let view = &workbench.view;
     let shown = workbench.shows(effect::ID) && view.effect == index;
-    let sense = if shown {
-        Sense::hover()
-    } else {
-        Sense::click()
-    };
+    let sense = [Sense::click(), Sense::hover()][usize::from(shown)];
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), HIGH), sense);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, !shown, say!("Show its curve")));
     let edge = if shown || response.hovered() || response.has_focus() {
@@ -444,16 +418,9 @@ fn sketch(ui: &mut Ui, workbench: &Workbench, (index, curve): (usize, &EffectCur
 fn drawn(room: Rect, curve: &EffectCurve, palette: &Palette) -> Vec<Shape> {
     let [from, to] = curve.ends();
     let [low, high] = curve.extent_mm;
-    let part = |value: f64, low: f64, high: f64| {
-        crate::numeric::single((value - low) / (high - low).max(1e-12))
-    };
-    let at = |x: f64, mm: f64| {
-        let across = egui::lerp(room.left()..=room.right(), part(x, from, to));
-        pos2(
-            across,
-            egui::lerp(room.bottom()..=room.top(), part(mm, low, high)),
-        )
-    };
+    let bounds = PlotBounds::from_min_max([from, low], [to, high]);
+    let transform = PlotTransform::new(room, bounds, false);
+    let at = |x: f64, mm: f64| transform.position_from_point(&PlotPoint::new(x, mm));
     let zero = [at(from, 0.0), at(to, 0.0)];
     let mut shapes = vec![Shape::line_segment(zero, Stroke::new(1.0, palette.line))];
     let some = || curve.spots.iter().step_by(stride(curve.spots.len(), MOST));

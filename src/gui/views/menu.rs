@@ -2,14 +2,14 @@
 
 use egui::containers::menu::MenuButton;
 use egui::{
-    Align, Button, FontId, Id, Label, Layout, MenuBar, Popup, Response, RichText, ScrollArea, Ui,
+    Align, Button, FontId, Label, Layout, MenuBar, Popup, Response, RichText, ScrollArea, Ui,
 };
 
 use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST};
 use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::widgets::{self, Does};
+use crate::gui::widgets::{self, Buttons, Does};
 use crate::gui::workbench::Workbench;
 
 /// Width of the menus, points.
@@ -80,11 +80,11 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
             let says = actions::results_says(open);
             let side = widgets::icon(widgets::SIDE);
             let button = if open {
-                widgets::bare_button(ui, side, says)
+                ui.bare_button(side, says)
             } else {
                 let name = RichText::new(say!("Results")).font(strong(size::SMALL));
                 let name = name.color(Palette::of(ui).accent);
-                widgets::bare_button(ui, (name, side), says)
+                ui.bare_button((name, side), says)
             };
             button
                 .on_hover_text(says)
@@ -95,13 +95,13 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
 
 /// Back, or forth.
 fn history(ui: &mut Ui, sign: &str, enabled: bool, says: &str) -> Response {
-    let button = ui.add_enabled_ui(enabled, |ui| widgets::icon_button(ui, sign, says));
+    let button = ui.add_enabled_ui(enabled, |ui| ui.icon_button(sign, says));
     let button = button.inner.on_hover_text(says);
     button.on_disabled_hover_text(says)
 }
 
 fn name(ui: &mut Ui, workbench: &Workbench) {
-    let palette = Palette::of(ui);
+    let _palette = Palette::of(ui);
     let loaded_session = workbench.loaded_session();
     let title = RichText::new(&loaded_session.session.name).font(strong(size::BODY));
     let title = ui.add(Label::new(title).truncate());
@@ -132,7 +132,7 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
     // Of a short name a few letters would say nothing.
     let room = ui.available_width();
     if wide <= room || room > LEAST_ORIGIN {
-        let says = RichText::new(says).size(size::SMALL).color(palette.muted);
+        let says = RichText::new(says).small().weak();
         ui.add(Label::new(says).truncate());
     } else {
         title.on_hover_text(says);
@@ -146,22 +146,12 @@ fn items(ui: &mut Ui, workbench: &Workbench, actions: &[Action]) {
     }
 }
 
-/// Which menu was open in the frame before, and which the pointer has opened, and when.
-#[derive(Debug, Clone, Copy, Default)]
-struct Open {
-    now: Option<Id>,
-    by_pointer: Option<(Id, f64)>,
-}
-
 /// A click so soon after the pointer has opened a menu is meant to open it, seconds.
 const SOON_S: f64 = 2.0;
 
-/// A header of the bar. While one menu is open the pointer opens the others, and a click that comes
-/// with the pointer does not close again what the pointer has just opened.
+/// A header of the bar. While one menu is open the pointer opens the others; a click that comes with the pointer does
+/// not close again what the pointer has just opened.
 fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
-    let key = Id::unique("open menu");
-    let mut open: Open = ui.data(|data| data.get_temp(key)).unwrap_or_default();
-    let time = ui.input(|input| input.time);
     // In a low window, or with large text, a menu is higher than what is below its header.
     let high = ui.ctx().content_rect().bottom() - ui.max_rect().bottom() - AROUND_MENU;
     let (response, shown) = MenuButton::new(name).ui(ui, |ui| {
@@ -171,23 +161,25 @@ fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
             widgets::focus_in_sight(ui);
         });
     });
-    let id = Popup::default_response_id(&response);
-    let another = open.now.is_some_and(|now| now != id);
-    let soon = |(opened, at): (Id, f64)| opened == id && time - at <= SOON_S;
-    let meant = response.clicked() && open.by_pointer.is_some_and(soon);
-    if response.hovered() && another || meant {
+    let (id, now) = (
+        Popup::default_response_id(&response),
+        ui.input(|input| input.time),
+    );
+    let since: Option<f64> = ui.data(|data| data.get_temp(id));
+    if response.clicked() && since.is_some_and(|since| now - since <= SOON_S) {
         Popup::open_id(ui.ctx(), id);
         ui.ctx().request_repaint();
-        open.now = Some(id);
-        if !meant {
-            open.by_pointer = Some((id, time));
-        }
-    } else if shown.is_some() {
-        open.now = Some(id);
-    } else if open.now == Some(id) {
-        open = Open::default();
+    } else if shown.is_none() {
+        ui.data_mut(|data| data.remove::<f64>(id));
+    } else if since.is_none() {
+        // What a click has opened another closes.
+        let since = if response.clicked() {
+            f64::NEG_INFINITY
+        } else {
+            now
+        };
+        ui.data_mut(|data| data.insert_temp(id, since));
     }
-    ui.data_mut(|data| data.insert_temp(key, open));
 }
 
 fn file(ui: &mut Ui, workbench: &Workbench) {

@@ -2,14 +2,14 @@
 
 use egui::{Align, Button, DragValue, Layout, RichText, Ui, vec2};
 
-use crate::gui::core::document::Method;
+use crate::gui::core::document::{Document, Method};
 use crate::gui::core::regions::Division;
 use crate::gui::core::regions::{self, Count, End, SNAP_DEG};
-use crate::gui::style::{Palette, size, space};
+use crate::gui::help;
+use crate::gui::style::{Palette, space};
 use crate::gui::view::Step;
-use crate::gui::widgets::Does;
+use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
-use crate::gui::{help, widgets};
 use crate::present::numbers::{grouped, trimmed};
 use crate::present::units::AngleUnit;
 use crate::sessions::Region;
@@ -25,12 +25,9 @@ const MOST_EVEN: usize = 360;
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     if loaded_session.is_empty() {
-        widgets::hint(
-            ui,
-            say!(
-                "Regions divide what was measured: open a session that was measured on this robot"
-            ),
-        );
+        ui.hint(say!(
+            "Regions divide what was measured: open a session that was measured on this robot"
+        ));
         return;
     }
     division(ui, workbench);
@@ -60,38 +57,30 @@ fn division(ui: &mut Ui, workbench: &Workbench) {
         Division::Given => 1,
         Division::Adaptive(_) => 2,
     };
-    let chosen = widgets::row(ui, |ui| {
-        let chosen = widgets::segmented(ui, &kinds, now);
+    let chosen = ui.row(|ui| {
+        let chosen = ui.segmented(&kinds, now);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            widgets::question(ui, help::REGION);
+            ui.question(help::REGION);
         });
         chosen
     });
     match chosen {
-        Some(0) => workbench.edits(phrase!("divide into regions"), move |document| {
-            document.divide(number)
-        }),
-        Some(1) if present > 0 => workbench.edits(phrase!("keep the regions"), move |document| {
-            document.keep_regions();
-            Ok(())
-        }),
-        Some(1) => workbench.edits(phrase!("take regions from session"), move |document| {
-            document.regions_of_session()
-        }),
+        Some(0) => workbench.edits(move |document| document.divide(number)),
+        Some(1) if present > 0 => workbench.edits(|document| Ok(document.keep_regions())),
+        Some(1) => workbench.edits(Document::regions_of_session),
         Some(_) => workbench.then(Workbench::adapt),
         None => {}
     }
     match &document.division {
         Division::Even => evenly(ui, workbench),
         Division::Given => {
-            widgets::hint(
-                ui,
-                say!("Drag a boundary on the plot, or type it; the identification follows at once"),
-            );
+            ui.hint(say!(
+                "Drag a boundary on the plot, or type it; the identification follows at once"
+            ));
             own(ui, workbench);
         }
         Division::Adaptive(decision) => {
-            widgets::hint(ui, decision.describe(workbench.units()));
+            ui.hint(decision.describe(workbench.units()));
         }
     }
 }
@@ -109,12 +98,10 @@ fn evenly(ui: &mut Ui, workbench: &Workbench) {
             } else {
                 say!(in "unit", " regions")
             });
-        widgets::cell_number(ui, say!("Number of regions"), "", 110.0, field);
+        ui.cell_number(say!("Number of regions"), "", 110.0, field);
         let divide = present == 0 && ui.button(say!("Divide")).clicked();
         if number != before || divide {
-            workbench.edits(phrase!("divide into regions"), move |document| {
-                document.divide(number)
-            });
+            workbench.edits(move |document| document.divide(number));
         }
     });
 }
@@ -126,32 +113,23 @@ fn own(ui: &mut Ui, workbench: &Workbench) {
         return;
     }
     let button = ui.button(say!("Reset to session"));
-    if button
-        .on_hover_text(say!("take the regions that the session brings along"))
-        .clicked()
-    {
-        workbench.edits(phrase!("take regions from session"), move |document| {
-            document.regions_of_session()
-        });
-    }
+    let button = button.on_hover_text(say!("take the regions that the session brings along"));
+    button.does(workbench, |bench| bench.edit(Document::regions_of_session));
 }
 
 /// There are no regions, and what that means.
 fn none(ui: &mut Ui, workbench: &Workbench) {
     let range =
         crate::sessions::division::range_to_divide(&workbench.loaded_session().session).ok();
-    widgets::hint(
-        ui,
-        if range.is_some() {
-            say!(
-                "There are no regions: nothing is corrected by region. Divide the range evenly, or where the data ask for it"
-            )
-        } else {
-            say!(
-                "There are no regions, because all samples are at one angle: there is no range to divide. Give the joint its limits in Session, or measure at other angles. The full model in Identify needs no regions"
-            )
-        },
-    );
+    ui.hint(if range.is_some() {
+        say!(
+            "There are no regions: nothing is corrected by region. Divide the range evenly, or where the data ask for it"
+        )
+    } else {
+        say!(
+            "There are no regions, because all samples are at one angle: there is no range to divide. Give the joint its limits in Session, or measure at other angles. The full model in Identify needs no regions"
+        )
+    });
 }
 
 /// What no region covers.
@@ -174,16 +152,13 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, outside: usize) {
                 count = n
             ),
         };
-        widgets::hint(ui, says);
+        ui.hint(says);
     } else if outside > 0 {
-        widgets::hint(
-            ui,
-            say!(
-                one "{count} sample is in no region and gets no correction",
-                "{count} samples are in no region and get no correction",
-                count = outside
-            ),
-        );
+        ui.hint(say!(
+            one "{count} sample is in no region and gets no correction",
+            "{count} samples are in no region and get no correction",
+            count = outside
+        ));
     }
 }
 
@@ -196,13 +171,14 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
         && !document.regions.is_empty();
     if possible && !regional {
         let says = say!("Optional: fills the next step, Identify, region by region");
-        widgets::hint_above_the_button(ui, says);
-        widgets::primary(ui, say!("Identify by region")).does(workbench, move |bench| {
-            bench.identify(Some(Method::Regional));
-        });
+        ui.hint_if_roomy(says);
+        ui.primary(say!("Identify by region"))
+            .does(workbench, move |bench| {
+                bench.identify(Some(Method::Regional));
+            });
         return;
     }
-    widgets::primary(ui, say!("Continue to identify"))
+    ui.primary(say!("Continue to identify"))
         .does(workbench, move |bench| bench.view.step = Step::Identify);
 }
 
@@ -233,8 +209,7 @@ fn rows(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     ];
     ui.horizontal(|ui| {
         for (k, (head, width)) in heads.into_iter().zip(columns).enumerate() {
-            let muted = Palette::of(ui).muted;
-            let head = RichText::new(head).size(size::SMALL).color(muted);
+            let head = RichText::new(head).small().weak();
             // The head of the samples ends where their numbers end.
             let layout = if k < 3 {
                 Layout::left_to_right(Align::Center)
@@ -257,19 +232,15 @@ fn rows(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
             more(ui, regions, k, workbench);
         });
         if let Some(says) = few(counts[k]) {
-            let warning = Palette::of(ui).warning;
-            let says = RichText::new(say!("Warning: {says}", says)).size(size::SMALL);
-            ui.add(egui::Label::new(says.color(warning)).wrap());
+            let says = RichText::new(say!("Warning: {says}", says)).small();
+            ui.colored_label(Palette::of(ui).warning, says);
         }
     }
     if regions.len() > MOST_LISTED {
-        widgets::hint(
-            ui,
-            say!(
-                "and {more} more, to be dragged on the plot",
-                more = regions.len() - MOST_LISTED
-            ),
-        );
+        ui.hint(say!(
+            "and {more} more, to be dragged on the plot",
+            more = regions.len() - MOST_LISTED
+        ));
     }
 }
 
@@ -292,17 +263,15 @@ fn more(ui: &mut Ui, regions: &[Region], k: usize, workbench: &Workbench) {
             ui.set_min_width(180.0);
             let wide = regions::split(regions, k).is_some();
             if item(ui, say!("Split in half"), wide, say!("it is too narrow")) {
-                workbench.edits(phrase!("split region"), move |document| document.split(k));
+                workbench.edits(move |document| document.split(k));
             }
             let first = next.map(|_| k).or(before);
             if item(ui, merge, first.is_some(), say!("no region touches it")) {
-                workbench.edits(phrase!("merge regions"), move |document| {
-                    document.join(first.unwrap_or(k))
-                });
+                workbench.edits(move |document| document.join(first.unwrap_or(k)));
             }
             let others = regions.len() > 1;
             if item(ui, say!("Delete"), others, say!("the last region stays")) {
-                workbench.edits(phrase!("delete region"), move |document| document.delete(k));
+                workbench.edits(move |document| document.delete(k));
             }
         })
     });
@@ -331,11 +300,8 @@ fn few(count: Count) -> Option<String> {
 fn name(ui: &mut Ui, region: usize, name: &str, workbench: &Workbench) {
     let says = say!("Name of region {name}", name);
     let size = vec2(COLUMNS[0], HEIGHT);
-    let typed = widgets::text_when_complete(ui, &says, name, size);
-    if let Some(text) = typed {
-        workbench.edits(phrase!("rename region"), move |document| {
-            document.rename(region, &text)
-        });
+    if let Some(text) = widgets::text_when_complete(ui, &says, name, size) {
+        workbench.edits(move |document| document.rename(region, &text));
     }
 }
 
@@ -369,12 +335,10 @@ fn angle(ui: &mut Ui, width: f32, workbench: &Workbench, (k, end): (usize, End))
         .speed(units.angle_value(rad_from_deg(SNAP_DEG)))
         .custom_formatter(move |value, _| trimmed(value, digits))
         .range(units.angle_value(low)..=units.angle_value(high));
-    widgets::cell_number(ui, &name, units.angle_name().trim(), width, field);
+    ui.cell_number(&name, units.angle_name().trim(), width, field);
     let to_rad = value / units.angle_value(1.0);
     if value != before {
-        workbench.edits(phrase!("move boundary"), move |document| {
-            document.move_boundary(boundary, to_rad)
-        });
+        workbench.edits(move |document| document.move_boundary(boundary, to_rad));
     }
 }
 

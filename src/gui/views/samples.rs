@@ -7,7 +7,7 @@ use egui_extras::{Column, TableBuilder, TableRow};
 use crate::gui::actions::EXCLUDE;
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Sorting;
-use crate::gui::views::blocks;
+use crate::gui::views::copies;
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::judged;
 use crate::present::numbers::trimmed;
@@ -31,7 +31,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let order = workbench.order();
     let place = |sample: usize| order.as_ref()?.iter().position(|s| *s as usize == sample);
     let brought = brought(ui, workbench);
-    blocks::button(ui, say!("samples"), || blocks::samples(workbench));
+    copies::button(ui, say!("samples"), || copies::samples(workbench));
     let between = 4.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
     let wide = (ui.available_width() - NUMBER - MARK - between) / 3.0;
     let wide = wide.clamp(50.0, 96.0).floor();
@@ -181,7 +181,7 @@ fn heading(header: &mut TableRow<'_, '_>, head: &str, by: usize, sorting: Sortin
         let narrow = ui.available_width() < ROOM_FOR_UNITS;
         let shown = head.replacen(", ", if narrow { "\n" } else { ", " }, 1);
         // A click on the words sorts as well.
-        let head = RichText::new(shown).size(size::SMALL).color(color);
+        let head = RichText::new(shown).small().color(color);
         let head = egui::Label::new(head).selectable(false).wrap();
         ui.add(head.halign(Align::Max));
         if let Some(descending) = sorted {

@@ -5,16 +5,15 @@ use std::path::PathBuf;
 use egui::{Align, DragValue, Layout, Response, RichText, TextEdit, Ui};
 
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::gui::actions;
 use crate::gui::core::disk::name_of;
 use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::setup::SetupForm;
-use crate::gui::core::simulate::Form;
-use crate::gui::files;
 use crate::gui::import_draft::in_the_windows_words;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
-use crate::gui::widgets::{self, Does, or_none};
+use crate::gui::widgets::{self, Buttons, Does, Forms, Words, or_none};
 use crate::gui::workbench::Workbench;
 use crate::language;
 use crate::present::numbers::grouped;
@@ -22,25 +21,19 @@ use crate::present::units::LengthUnit;
 use crate::sessions::Sigma;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
-    widgets::section(ui, say!("Measured"));
+    ui.section(say!("Measured"));
     facts(ui, workbench);
-    tolerance(ui, workbench, widgets::number);
-    if widgets::secondary(ui, say!("Robot and instrument…")).clicked() {
+    tolerance(ui, workbench, Ui::number);
+    if ui.secondary(say!("Robot and instrument…")).clicked() {
         let form = SetupForm::of(&workbench.loaded_session().session);
         workbench.then(move |bench| bench.show_sheet(Some(Sheet::set_up(form))));
     }
     findings(ui, workbench);
-    widgets::section(ui, say!("Another session or model"));
-    widgets::secondary(ui, say!("Open…")).does(workbench, move |bench| {
-        bench.choose_file(files::choose_to_open);
-    });
+    ui.section(say!("Another session or model"));
+    actions::OPEN.button(ui, workbench);
     path_field(ui, workbench);
-    widgets::secondary(ui, say!("Simulate session…")).does(workbench, move |bench| {
-        bench.show_sheet(Some(Sheet::Simulate(Form::default())));
-    });
-    widgets::secondary(ui, say!("Robots…")).does(workbench, move |bench| {
-        bench.show_sheet(Some(Sheet::ROBOTS));
-    });
+    actions::NEW.button(ui, workbench);
+    actions::ROBOTS.button(ui, workbench);
     recent(ui, workbench);
 }
 
@@ -51,36 +44,31 @@ fn recent(ui: &mut Ui, workbench: &Workbench) {
     if recent.is_empty() {
         return;
     }
-    widgets::section(ui, say!("Recent files"));
+    ui.section(say!("Recent files"));
     ui.spacing_mut().item_spacing.y = space::TIGHT;
     for path in recent {
         let link = ui.link(name_of(path).as_ref());
-        if link.on_hover_text(path.display().to_string()).clicked() {
-            let path = path.clone();
-            workbench.then(move |bench| bench.open_file(path));
-        }
+        let link = link.on_hover_text(path.display().to_string());
+        let path = path.clone();
+        link.does(workbench, |bench| bench.open_file(path));
     }
 }
 
 fn facts(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     let session = &loaded_session.session;
-    let units = workbench.units();
-    widgets::fact_of(ui, phrase!("robot"), &session.robot.name);
-    if let [joint] = session.robot.joints.as_slice() {
+    let (units, joints) = (workbench.units(), &session.robot.joints);
+    ui.fact_of(phrase!("robot"), &session.robot.name);
+    if let [joint] = joints.as_slice() {
         let (from, to) = loaded_session.travel();
         let [from, to] = [from, to].map(|q| joint_value(units, joint.kind, q));
         let says = format!("{}, {from} … {to}", joint.name);
-        widgets::fact_of(ui, phrase!("joint"), says);
+        ui.fact_of(phrase!("joint"), says);
     } else {
-        widgets::fact_of(
-            ui,
-            phrase!("joints"),
-            session.robot.joints.len().to_string(),
-        );
+        ui.fact_of(phrase!("joints"), joints.len().to_string());
     }
     if loaded_session.is_empty() {
-        widgets::fact_of(ui, phrase!("samples"), say!("none: this is a model"));
+        ui.fact_of(phrase!("samples"), say!("none: this is a model"));
         return;
     }
     let mut samples = grouped(loaded_session.len());
@@ -92,35 +80,27 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
             samples += &format!(", {} {what}", grouped(n));
         }
     }
-    widgets::fact_of(ui, phrase!("samples"), samples);
+    ui.fact_of(phrase!("samples"), samples);
     if let Some(kinds) = &loaded_session.overview.kinds {
-        widgets::fact_of(ui, phrase!("measured"), language::spoken(kinds));
+        ui.fact_of(phrase!("measured"), language::spoken(kinds));
     }
     if session.targets.len() > 1 {
-        widgets::fact_of(ui, phrase!("reflectors"), session.targets.len().to_string());
+        ui.fact_of(phrase!("reflectors"), session.targets.len().to_string());
     }
     if !session.instrument.name.is_empty() {
-        widgets::fact_of(ui, phrase!("instrument"), &session.instrument.name);
+        ui.fact_of(phrase!("instrument"), &session.instrument.name);
     }
     let sigma = match session.instrument.sigma_mm {
         None => say!("not given").to_owned(),
         Some(Sigma::Overall(sigma)) => units.length(sigma),
         Some(Sigma::PerAxis([x, y, z])) => units.length(((x * x + y * y + z * z) / 3.0).sqrt()),
     };
-    widgets::fact_of(ui, phrase!("noise, one σ"), sigma);
+    ui.fact_of(phrase!("noise, one σ"), sigma);
     if session.samples.z_mm.is_none() {
-        widgets::fact_of(
-            ui,
-            phrase!("coordinates"),
-            say!("x and y; z was not measured"),
-        );
+        ui.fact_of(phrase!("coordinates"), say!("x and y; z was not measured"));
     }
     if session.compensated_by.is_some() {
-        widgets::fact_of(
-            ui,
-            phrase!("compensated"),
-            say!("yes: this shows what is left"),
-        );
+        ui.fact_of(phrase!("compensated"), say!("yes: this shows what is left"));
     }
 }
 
@@ -147,11 +127,8 @@ pub(crate) fn tolerance(
             LengthUnit::Inch => 6,
         })
         .custom_formatter(|value, decimals| {
-            if value > 0.0 {
-                written.format(value, decimals)
-            } else {
-                say!("none").to_owned()
-            }
+            let number = (value > 0.0).then(|| written.format(value, decimals));
+            number.unwrap_or_else(|| say!("none").to_owned())
         })
         .suffix(if now > 0.0 {
             format!(" {unit}")
@@ -162,7 +139,7 @@ pub(crate) fn tolerance(
     shown(ui, say!("tolerance"), &name, field);
     if tolerance != now {
         let tolerance = (tolerance > 0.0).then_some(tolerance / one_mm);
-        workbench.then(move |bench| bench.set_tolerance(tolerance));
+        workbench.edits(move |document| document.set_tolerance(tolerance));
     }
 }
 
@@ -172,7 +149,7 @@ fn findings(ui: &mut Ui, workbench: &Workbench) {
     if findings.is_empty() {
         return;
     }
-    widgets::section(ui, &say!("Import log: {count}", count = findings.len()));
+    ui.section(&say!("Import log: {count}", count = findings.len()));
     ui.scope(|ui| {
         // Rows are as high as their text, the first of a finding too.
         ui.spacing_mut().interact_size.y = 0.0;
@@ -184,10 +161,7 @@ fn findings(ui: &mut Ui, workbench: &Workbench) {
         }
     });
     if findings.len() > MOST {
-        widgets::hint(
-            ui,
-            say!(in "common", "and {more} more", more = findings.len() - MOST),
-        );
+        ui.hint(say!(in "common", "and {more} more", more = findings.len() - MOST));
     }
 }
 
@@ -201,17 +175,14 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, workbench: &Workbench) {
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
         let text = in_the_windows_words(&finding.clone().without_folder());
-        let text = RichText::new(text).size(size::SMALL);
+        let text = RichText::new(text).small();
         if finding.samples.is_empty() {
             ui.label(text);
-        } else if ui
-            .link(text)
-            .on_hover_text(say!("Show these samples"))
-            .clicked()
-        {
-            let samples = finding.samples.clone();
-            workbench.then(|bench| bench.view.mark(samples));
+            return;
         }
+        let link = ui.link(text).on_hover_text(say!("Show these samples"));
+        let samples = finding.samples.clone();
+        link.does(workbench, |bench| bench.view.mark(samples));
     });
 }
 
@@ -242,7 +213,7 @@ fn path_field(ui: &mut Ui, workbench: &Workbench) {
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     if loaded_session.origin == Origin::Bundled {
-        widgets::hint(ui, say!("This is an example that comes with the program"));
+        ui.hint(say!("This is an example that comes with the program"));
     }
     let (step, text) = if workbench.document().loaded_model.is_some() {
         (Step::Export, say!("Continue to export"))
@@ -251,5 +222,6 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     } else {
         (Step::Identify, say!("Continue to identify"))
     };
-    widgets::primary(ui, text).does(workbench, move |bench| bench.view.step = step);
+    ui.primary(text)
+        .does(workbench, move |bench| bench.view.step = step);
 }

@@ -83,12 +83,11 @@ fn floor_from(from: FloorFrom) -> &'static str {
 
 /// What there is to say while nothing runs.
 fn idle(ui: &mut Ui, workbench: &Workbench) {
-    let palette = Palette::of(ui);
-    let small = |text: String| RichText::new(text).size(size::NOTE);
     if workbench.is_declined() {
         ui.small_button(say!("Identify again"))
             .does(workbench, move |bench| bench.identify(None));
-        ui.label(small(say!("the identification was cancelled").to_owned()).color(palette.warning));
+        let says = RichText::new(say!("the identification was cancelled")).size(size::NOTE);
+        ui.colored_label(Palette::of(ui).warning, says);
     }
 }
 
@@ -120,9 +119,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
                     ui.add(bar.desired_height(8.0).fill(palette.accent));
                     widgets::look_again_soon(ui);
                 }
-                None => {
-                    ui.add(Spinner::new().size(14.0).color(palette.accent));
-                }
+                None => drop(ui.add(Spinner::new().size(14.0).color(palette.accent))),
             }
         });
     });

@@ -3,24 +3,26 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use egui::TextureHandle;
 use nalgebra::{Isometry3, Vector3};
 
+use crate::compensation::decision::FittedErrors;
 use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::explain::{Detail, Section, diagnosis};
 use crate::gui::cache::cloud::{Heat, Remainder};
 use crate::gui::cache::{
-    AnswerSummary, ExportPreview, IdentifiedAnswer, Made, PlotInputs, Preview, PreviewRequest,
-    Work, WorkKey,
+    AnswerSummary, ExportPreview, IdentifiedAnswer, PlotInputs, PreviewRequest, figures, preview,
 };
-use crate::gui::core::answer::{Answer, LoadedModel, Question, Search, term_of};
+use crate::gui::charts::Scene;
+use crate::gui::charts::effect::sketches;
+use crate::gui::core::answer::{Answer, LoadedModel, Question};
 use crate::gui::core::document::Method;
-use crate::gui::core::overview::measuring_from_base;
-use crate::gui::jobs::{Kind, Slot};
+use crate::gui::core::overview::{FEW, measuring_from_base};
+use crate::gui::core::search::{Search, term_of};
+use crate::gui::jobs::{Kind, Slot, Watch};
 use crate::gui::view::{Facing, Message, Sorting, Step};
-use crate::gui::workbench::{HeatLook, Workbench};
-use crate::present::numbers::{grouped, notation};
+use crate::gui::workbench::{Derived, Workbench};
+use crate::present::numbers::{grouped, notation, write_numbers};
 use crate::text::current;
 
 impl Workbench {
@@ -52,7 +54,7 @@ impl Workbench {
         self.derived
             .identified
             .made()
-            .map(|made| &**made)
+            .map(|(_, made)| &**made)
             .filter(|outcome| {
                 let question = &outcome.question;
                 document.identified
@@ -66,8 +68,8 @@ impl Workbench {
 
     /// The newest answer, to be held where it is one that is shown.
     pub(super) fn shown_outcome(&self) -> Option<Arc<IdentifiedAnswer>> {
-        let newest = self.derived.identified.made().cloned();
-        newest.filter(|_| self.answer().is_some())
+        let (_, newest) = self.derived.identified.made()?;
+        self.answer().map(|_| Arc::clone(newest))
     }
 
     /// The newest answer.
@@ -85,13 +87,12 @@ impl Workbench {
         self.identified().and_then(|o| o.after.as_ref())
     }
 
-    /// What came of a work, for the newest answer that it was worked out for.
-    pub(super) fn made(&self, work: &Work) -> Option<&Made> {
-        let mut plots = self.derived.plots.iter();
-        let (_, slot) = plots.find(|(key, _)| *key == work.key)?;
-        let of_this =
-            |made: &&Made| Arc::ptr_eq(&made.inputs.loaded_session, self.loaded_session());
-        slot.made().map(|made| &**made).filter(of_this)
+    /// What plots are worked out of.
+    pub(super) fn plot_inputs(&self) -> PlotInputs {
+        PlotInputs {
+            loaded_session: Arc::clone(self.loaded_session()),
+            identified: self.shown_outcome(),
+        }
     }
 
     /// The identified pose of the base in the measuring frame, where the instrument stands in a frame
@@ -131,19 +132,14 @@ impl Workbench {
 
     /// The heat map, if it is shown. While a newer one is being made it is the one before.
     pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
-        let wanted = self.view.heat && !self.view.in_space();
-        let work = wanted.then(|| Work::heat(self.view.plane))?;
-        let made: &Option<Arc<Heat>> = self.made(&work)?.result.downcast_ref()?;
-        made.as_ref()
+        let ((of, plane), heat) = self.derived.heat.made()?;
+        let of_this = Arc::ptr_eq(&of.loaded_session, self.loaded_session());
+        let shown = of_this && self.shows_heat() && *plane == self.view.plane;
+        heat.as_ref().filter(|_| shown)
     }
 
-    /// The heat map as it is looked at, made anew where it changes.
-    pub(crate) fn heat_picture(
-        &self,
-        of: HeatLook,
-        make: impl FnOnce() -> TextureHandle,
-    ) -> TextureHandle {
-        self.derived.heat_picture.get(of, make)
+    fn shows_heat(&self) -> bool {
+        self.view.heat && !self.view.in_space()
     }
 
     /// What is left of the deviations, as it is uploaded.
@@ -153,22 +149,22 @@ impl Workbench {
 
     /// The export as it would be written, or why there is none. While a newer one of the same table is being made it
     /// is the one before; the figures of another format say nothing of this one.
-    pub(crate) fn export(&self) -> Option<Result<&ExportPreview, &String>> {
+    pub(crate) fn export(&self) -> Option<Result<&Arc<ExportPreview>, &String>> {
         self.answer()?;
-        let preview = self.derived.preview.made()?;
+        let (of, made) = self.derived.preview.made()?;
         let PreviewRequest {
             identified, choice, ..
-        } = &preview.wanted;
+        } = of;
         let same = Arc::ptr_eq(&identified.question.loaded_session, self.loaded_session())
             && choice.is_of_the_table(self.document().export);
-        same.then_some(preview.made.as_ref())
+        same.then_some(made.as_ref())
     }
 
     /// The RMS error that the controller is left with by the table of what is shown, mm; `None` until that is made.
     pub(crate) fn left_by_table_mm(&self) -> Option<f64> {
         let made = self.export()?.ok()?;
-        let of = &self.derived.preview.made()?.wanted.identified;
-        let is_of_this = Arc::ptr_eq(self.derived.identified.made()?, of);
+        let (of, _) = self.derived.preview.made()?;
+        let is_of_this = Arc::ptr_eq(&self.derived.identified.made()?.1, &of.identified);
         let error = made.error.filter(|_| made.export.robot.is_none());
         error.filter(|_| is_of_this).map(|error| error.rms_mm)
     }
@@ -203,7 +199,7 @@ impl Workbench {
     pub(crate) fn settled(&self) -> bool {
         match (self.question(), self.derived.identified.made()) {
             (None, _) => true,
-            (Some(asked), Some(outcome)) => outcome.question == asked,
+            (Some(asked), Some((of, _))) => *of == asked,
             (Some(_), None) => false,
         }
     }
@@ -298,14 +294,13 @@ impl Workbench {
             choice,
             name: saved.map(|(_, name)| name.clone()),
         };
-        if self.derived.preview.want(&wanted) {
-            self.jobs.start(
-                Kind::Prepares,
-                say!("preparing the table"),
-                move |_| Preview::to(wanted),
-                |bench: &mut Self, preview| drop(bench.derived.preview.take(preview)),
-            );
-        }
+        let how = (Kind::Prepares, say!("preparing the table"));
+        self.derive(
+            how,
+            |derived| &mut derived.preview,
+            wanted,
+            |of, _| preview(of),
+        );
     }
 
     /// The samples in the order of their rows; `None`: as they were measured.
@@ -314,10 +309,7 @@ impl Workbench {
         if sorting == Sorting::default() {
             return None;
         }
-        let of = PlotInputs {
-            loaded_session: Arc::clone(self.loaded_session()),
-            identified: self.shown_outcome(),
-        };
+        let of = self.plot_inputs();
         let sorted = || {
             let n = u32::try_from(self.loaded_session().len()).unwrap_or(u32::MAX);
             let keyed = (0..n).map(|i| (self.sorted_by(i as usize), i));
@@ -348,64 +340,86 @@ impl Workbench {
         }
     }
 
-    /// So many samples can be drawn at once.
-    pub(crate) fn draw_at_most(&mut self, most: usize) {
-        self.view.most_drawn = most;
+    /// Asks for what the plots stand on, if it is not there and not on its way.
+    pub(crate) fn keep_drawing(&mut self) {
+        const QUIETLY: (Kind, &str) = (Kind::Quiet, "");
+        if self.shows_heat() {
+            let of = (self.plot_inputs(), self.view.plane);
+            self.derive(
+                QUIETLY,
+                |derived| &mut derived.heat,
+                of,
+                |(of, plane), _| Heat::of(&of.loaded_session, of.answer(), *plane).map(Arc::new),
+            );
+        }
+        if self.shows_figures() {
+            let of = (self.plot_inputs(), self.diagnosis().map(FittedErrors::from));
+            let figures = |(of, diagnosed): &_, _: &Watch| figures(of, *diagnosed);
+            self.derive(QUIETLY, |derived| &mut derived.figures, of, figures);
+        }
+        let search = self.search_of_this().cloned();
+        if let Some(search) = search.filter(|_| self.view.step == Step::Gap) {
+            self.derive(
+                QUIETLY,
+                |derived| &mut derived.sketches,
+                search,
+                |search, _| sketches(search),
+            );
+        }
+        let (kind, scene) = (self.kind(), Arc::new(self.scene()));
+        // Of a few samples it is there in the same frame.
+        let few = scene.usable().len() <= FEW;
+        let of = (kind.about().id, scene);
+        let chart = move |(_, scene): &(_, Arc<Scene>)| {
+            // As the window writes them.
+            write_numbers(scene.written.1);
+            Arc::new(kind.show(scene))
+        };
+        if !few {
+            self.derive(
+                QUIETLY,
+                |derived| &mut derived.chart,
+                of,
+                move |of, _| chart(of),
+            );
+        } else if self.derived.chart.want(&of) {
+            let made = chart(&of);
+            self.derived.chart.take(of, made);
+        }
     }
 
-    /// Asks for what the plots stand on, if it is not there and not on its way.
-    pub(super) fn keep_drawing(&mut self) {
-        let newest = self.derived.identified.made().cloned();
-        let inputs = PlotInputs {
-            loaded_session: Arc::clone(self.loaded_session()),
-            identified: newest.filter(|_| self.identified().is_some()),
-        };
-        let works = self.works();
-        let plots = &mut self.derived.plots;
-        plots.retain(|(key, slot)| {
-            let of = slot.made().map(|made| &made.inputs);
-            let of_this = of.is_some_and(|of| of.loaded_session == inputs.loaded_session);
-            // Other steps say the figures of the export step as well, of the same answer.
-            let figures = matches!(key, WorkKey::Figures(_)) && of == Some(&inputs);
-            slot.busy() || of_this && (figures || works.iter().any(|work| work.key == *key))
-        });
-        for work in works {
-            let here = plots.iter().position(|(key, _)| *key == work.key);
-            let here = here.unwrap_or_else(|| {
-                plots.push((work.key.clone(), Slot::default()));
-                plots.len() - 1
-            });
-            if plots[here].1.want(&inputs) {
-                let (key, inputs) = (work.key.clone(), inputs.clone());
-                self.jobs.quietly(
-                    move || work.made(inputs),
-                    move |bench: &mut Self, made| {
-                        let mut plots = bench.derived.plots.iter_mut();
-                        let slot = plots.find(|(one, _)| *one == key);
-                        let before = slot.and_then(|(_, slot)| slot.take(made));
-                        bench.let_go(before);
-                    },
-                );
-            }
+    /// Works something out in the background of this, where it is wanted and neither there nor on its way.
+    fn derive<K: PartialEq + Clone + Send + 'static, V: Send + 'static>(
+        &mut self,
+        (kind, says): (Kind, &str),
+        slot: fn(&mut Derived) -> &mut Slot<K, V>,
+        of: K,
+        work: impl FnOnce(&K, &Watch) -> V + Send + 'static,
+    ) {
+        if !slot(&mut self.derived).want(&of) {
+            return;
         }
+        let work = move |watch: &Watch| {
+            let made = work(&of, watch);
+            (of, made)
+        };
+        self.jobs
+            .start(kind, says, work, move |bench: &mut Self, (of, made)| {
+                let before = slot(&mut bench.derived).take(of, made);
+                bench.let_go(before);
+            });
     }
 
     /// Asks for the answer that the document wants, if it is not there and not on its way.
     pub(super) fn refresh_answer(&mut self) {
-        let Some(question) = self.question() else {
-            return;
-        };
-        if self.derived.identified.want(&question) {
+        if let Some(question) = self.question() {
             let samples = say!(one "{count} sample", "{count} samples", count = grouped(question.loaded_session.len()));
-            self.jobs.start(
-                Kind::Identifies,
-                say!("identifying, {samples}", samples),
-                move |watch| IdentifiedAnswer::to(question, watch),
-                |bench: &mut Self, answer| {
-                    let before = bench.derived.identified.take(answer);
-                    bench.let_go(before);
-                },
-            );
+            let says = say!("identifying, {samples}", samples);
+            let identify = |question: &Question, watch: &Watch| {
+                Arc::new(IdentifiedAnswer::to(question.clone(), watch))
+            };
+            let how = (Kind::Identifies, &*says);
+            self.derive(how, |derived| &mut derived.identified, question, identify);
         }
     }
 

@@ -3,13 +3,14 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::core::answer::{Question, Search};
+use crate::gui::core::answer::Question;
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::loaded_session::LoadedSession;
+use crate::gui::core::search::Search;
 use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Jobs, Kind, Running};
 use crate::gui::view::{Message, What};
-use crate::gui::workbench::{Chooser, Workbench};
+use crate::gui::workbench::Workbench;
 
 impl Workbench {
     /// Jobs that are under way.
@@ -110,6 +111,12 @@ impl Workbench {
             Kind::Identifies => self.derived.identified.decline(),
             Kind::Prepares => self.derived.preview.decline(),
             Kind::Searches => self.derived.searching = None,
+            Kind::Quiet => {
+                self.derived.heat.decline();
+                self.derived.figures.decline();
+                self.derived.sketches.decline();
+                self.derived.chart.decline();
+            }
             _ => {}
         }
     }
@@ -126,15 +133,12 @@ impl Workbench {
     pub(super) fn take_opened(&mut self, opened: Result<Opened, Message>) {
         match opened {
             Ok(Opened::Session(loaded_session)) => {
-                self.open_session(loaded_session);
+                self.edit(|document| Ok(document.open(loaded_session)));
             }
             Ok(Opened::Foreign(draft)) => self.ask_about(draft),
             Ok(Opened::Model(given)) => {
                 let beside = self.has_a_session_for(&given);
-                self.edit(phrase!("open model"), |document| {
-                    document.open_model(given, beside);
-                    Ok(())
-                });
+                self.edit(|document| Ok(document.open_model(given, beside)));
             }
             Err(message) => self.take_written(message),
         }
@@ -271,11 +275,6 @@ impl Workbench {
     pub(crate) fn stop_asking(&mut self) {
         self.cancel_pending_action();
         self.jobs.cancel(|kind| kind == Kind::Asks);
-    }
-
-    /// Takes this for the answer of every dialog of the system.
-    pub(crate) fn choose_by(&mut self, chooser: Chooser) {
-        self.chooser = Some(chooser);
     }
 }
 

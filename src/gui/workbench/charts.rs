@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
-use crate::gui::cache::{Made, Work};
-use crate::gui::charts::effect::{EffectCurve, Sketches};
-use crate::gui::charts::{CHARTS, ChartKind, HoverTarget, Scene, effect, find};
+use crate::gui::charts::effect::EffectCurve;
+use crate::gui::charts::{
+    CHARTS, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown, effect, find,
+};
 use crate::gui::jobs::{Kind as JobKind, Watch};
 use crate::gui::view::{Front, Step};
 use crate::present::drawing::Drawing;
 use crate::present::numbers::{notation, write_numbers};
-use crate::present::table::Table;
+use crate::text::current;
 
 use super::Workbench;
 
@@ -34,7 +35,7 @@ impl Workbench {
         self.kind().about().id == id
     }
 
-    /// What any chart is made of, except what the background works out for it.
+    /// What any chart is made of.
     pub(crate) fn scene(&self) -> Scene {
         let view = &self.view;
         Scene {
@@ -43,82 +44,70 @@ impl Workbench {
             step: view.step,
             plane: view.plane,
             effect: view.effect,
-            after_alone: view.only_after,
+            after_alone: self.only_after(),
             component: view.component,
             joint: view.joint,
             units: self.units(),
             identified: self.shown_outcome(),
             search: self.search_of_this().cloned(),
-            preview: {
-                let newest = self.derived.preview.made().cloned();
-                newest.filter(|_| self.export().is_some())
-            },
-            worked_out: None,
+            preview: self.export().and_then(|made| made.ok().cloned()),
+            written: (current(), notation()),
         }
     }
 
-    /// What a chart is made of. While the answer is a newer one, what was worked out for the one before.
-    pub(crate) fn scene_of(&self, chart: &dyn ChartKind) -> Scene {
-        let scene = self.scene();
-        let seen = |made: &&Made| made.inputs.identified.is_some() == self.identified().is_some();
-        let made = chart.work(&scene).and_then(|work| self.made(&work));
-        let worked_out = made.filter(seen).map(|made| made.result.clone());
-        Scene {
-            worked_out,
-            ..scene
-        }
-    }
-
-    /// Makes the table of what a chart shows, in the background: of a million samples it takes seconds.
-    pub(super) fn numbers_of(&self, chart: &str) -> Option<impl FnOnce() -> Table + Send + use<>> {
-        let kind = find(chart)?;
-        let (scene, notation) = (self.scene_of(kind), notation());
-        Some(move || {
-            // As the window writes them.
-            write_numbers(notation);
-            kind.numbers(&scene)
-        })
+    /// The chart that is shown, or why there is none. While a newer one is being made it is the one before.
+    pub(crate) fn charted(&self) -> Option<&Result<Shown, ChartPlaceholder>> {
+        let ((id, scene), made) = self.derived.chart.made()?;
+        let of_this = self.shows(id)
+            && Arc::ptr_eq(&scene.loaded_session, self.loaded_session())
+            && scene.identified.is_some() == self.answer().is_some();
+        of_this.then_some(&**made)
     }
 
     /// A chart as it is shown, on paper, and what it shows; of many samples with what is seen of them there.
-    pub(super) fn on_paper(&self, chart: &str) -> Result<(Drawing, String), String> {
-        let kind = find(chart).ok_or(say!("there is no such chart"))?;
-        let scene = self.scene_of(kind);
-        let shown = kind.show(&scene).map_err(|missing| missing.title)?;
-        let mut chart = shown.chart;
-        if let HoverTarget::Samples(samples) = &shown.pointed {
-            let [[from, _], [to, _]] = chart.bounds;
-            chart.items.extend(samples.in_sight([from, to]));
-        }
-        let session = crate::report::document::clean(&self.loaded_session().session.name);
-        let says = format!("{session}: {}", chart.title);
-        Ok((chart.on_paper(&session), says))
+    pub(super) fn on_paper(
+        &self,
+        chart: &str,
+    ) -> Option<impl FnOnce() -> Result<(Drawing, String), String> + Send + use<>> {
+        let (kind, scene) = (find(chart)?, Arc::new(self.scene()));
+        Some(move || {
+            write_numbers(scene.written.1);
+            let shown = kind.show(&scene).map_err(|missing| missing.title)?;
+            let mut chart = shown.chart;
+            if let HoverTarget::Samples(samples) = &shown.pointed {
+                let [[from, _], [to, _]] = chart.bounds;
+                chart.items.extend(samples.in_sight([from, to]));
+            }
+            let session = crate::report::document::clean(&scene.loaded_session.session.name);
+            let says = format!("{session}: {}", chart.title);
+            Ok((chart.on_paper(&session), says))
+        })
     }
 
-    /// Copies what a chart shows as a table, as soon as that is made.
-    pub(crate) fn copy_numbers(&mut self, chart: &'static str) {
-        let Some(numbers) = self.numbers_of(chart) else {
+    /// Makes what a chart shows a table in the background, for who copies it: of a million samples it takes seconds.
+    pub(crate) fn copy_numbers(
+        &mut self,
+        chart: &'static str,
+        copied: impl FnOnce(String) + Send + 'static,
+    ) {
+        let (Some(kind), scene) = (find(chart), self.scene()) else {
             return;
         };
-        let work = move |_: &Watch| numbers().tabbed();
-        self.jobs.start(
-            JobKind::Once,
-            say!("copying the numbers of a chart"),
-            work,
-            move |bench: &mut Self, text| bench.copied = Some((chart, text)),
-        );
-    }
-
-    /// The chart and its numbers that are ready to be copied, once.
-    pub(crate) fn take_copied(&mut self) -> Option<(&'static str, String)> {
-        self.copied.take()
+        let work = move |_: &Watch| {
+            // As the window writes them.
+            write_numbers(scene.written.1);
+            kind.numbers(&scene).tabbed()
+        };
+        let says = say!("copying the numbers of a chart");
+        self.jobs
+            .start(JobKind::Once, says, work, |_: &mut Self, text| copied(text));
     }
 
     /// The curve of an effect that was found, as its card shows it.
     pub(crate) fn sketch(&self, index: usize) -> Option<&EffectCurve> {
-        let work = effect::sketches(self.search_of_this()?);
-        let curves: &Sketches = self.made(&work)?.result.downcast_ref()?;
-        curves.get(index)?.as_ref()
+        let (search, curves) = self.derived.sketches.made()?;
+        let of_this = Arc::ptr_eq(search, self.search_of_this()?);
+        curves.get(index).filter(|_| of_this)?.as_ref()
     }
 
     /// Shows this chart. Choosing what suits the step means: follow the steps.
@@ -139,21 +128,6 @@ impl Workbench {
             self.show_chart(effect::ID);
         }
     }
-
-    /// What all plots have worked out in the background.
-    pub(super) fn works(&self) -> Vec<Work> {
-        let view = &self.view;
-        let mut all = Vec::new();
-        all.extend((view.heat && !view.in_space()).then(|| Work::heat(view.plane)));
-
-        all.extend(self.wanted_figures());
-        let searched = self
-            .search_of_this()
-            .filter(|_| self.view.step == Step::Gap);
-        all.extend(searched.map(effect::sketches));
-        all.extend(self.kind().work(&self.scene()));
-        all
-    }
 }
 
 #[cfg(test)]
@@ -172,7 +146,7 @@ mod tests {
     const TABLE: &str = "correction table";
 
     fn is_worked_out(workbench: &Workbench) -> bool {
-        workbench.scene_of(workbench.kind()).worked_out.is_some()
+        workbench.charted().is_some()
     }
 
     fn go(workbench: &mut Workbench, step: Step) -> &'static str {
@@ -222,9 +196,8 @@ mod tests {
         let mut workbench = workbench();
         choose(&mut workbench, HISTOGRAM);
         let made = |workbench: &Workbench| {
-            let made = workbench.derived.plots.last();
-            let made = made.and_then(|(_, slot)| slot.made());
-            Arc::clone(&made.expect("it is charted").result)
+            let made = workbench.derived.chart.made();
+            Arc::clone(&made.expect("it is charted").1)
         };
         let first = made(&workbench);
         workbench.execute(|bench| bench.view.hovered = Some(3));
@@ -265,9 +238,8 @@ mod tests {
         workbench.receive();
         assert_eq!(workbench.kind().about().id, effect::ID);
         assert_eq!(workbench.view.component, Component::Tangential);
-        let scene = workbench.scene_of(workbench.kind());
-        let shown = workbench.kind().show(&scene);
-        let name = shown.map(|shown| shown.name).unwrap_or_default();
+        let shown = workbench.charted().expect("it is charted");
+        let name = shown.as_ref().map(|shown| &*shown.name).unwrap_or_default();
         assert_eq!(name, "curve of backlash, tangential");
         // It belongs to the step that finds the gap.
         assert_eq!(go(&mut workbench, Step::Export), TABLE);

@@ -148,7 +148,7 @@ impl Workbench {
         if let Some(loaded_session) = result {
             self.view.sheet = None;
             self.file_state.left_draft = None;
-            self.open_session(loaded_session);
+            self.edit(|document| Ok(document.open(loaded_session)));
         }
     }
 }
@@ -195,10 +195,7 @@ impl Workbench {
             return self.is_of_another(say!("This change cannot be made"));
         }
         match made {
-            Ok((regions, decision)) => {
-                let what = phrase!("divide adaptively");
-                self.edit(what, |document| document.adapt(regions, decision));
-            }
+            Ok((regions, decision)) => self.edit(|document| document.adapt(regions, decision)),
             Err(because) => {
                 self.complain(say!("This change cannot be made"), vec![because]);
             }

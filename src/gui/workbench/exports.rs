@@ -8,13 +8,12 @@ use egui::ColorImage;
 
 use crate::compensation::decision::FittedErrors;
 use crate::export::find;
-use crate::gui::cache::Work;
 use crate::gui::cache::{IdentifiedAnswer, PreviewRequest, StandardsFigures};
 use crate::gui::charts;
-use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{ExportChoice, plain};
+use crate::gui::core::search::Search;
 use crate::gui::files;
 use crate::gui::files::writing::{self, Made, Replace, Source};
 use crate::gui::jobs::{Kind, Watch};
@@ -203,8 +202,8 @@ impl Workbench {
     }
 
     fn report(&self, about: About) -> Result<Write, [&'static str; 2]> {
-        let source = match (about, self.derived.identified.made(), self.answer()) {
-            (About::Model, Some(outcome), Some(_)) => Source::Model(Arc::clone(outcome)),
+        let source = match (about, self.shown_outcome(), self.answer()) {
+            (About::Model, Some(outcome), Some(_)) => Source::Model(outcome),
             (About::Session, ..) if !self.loaded_session().is_empty() => {
                 let answered = |search: &&Arc<Search>| search.answer.is_ok();
                 let searched = self.search_of_this().filter(answered).cloned();
@@ -237,8 +236,10 @@ impl Workbench {
                 Box::new(move || files::png(&image))
             }
             Plot::Chart(chart) => {
-                let drawn = self.on_paper(chart);
-                Box::new(move || drawn.map(|(chart, title)| svg_file(&chart, &title).into_bytes()))
+                let drawn = self.on_paper(chart)?;
+                Box::new(move || {
+                    drawn().map(|(chart, title)| svg_file(&chart, &title).into_bytes())
+                })
             }
         };
         let make = move |path: &Path, _: &Watch| writing::picture(make, path, plot.ending());
@@ -285,19 +286,21 @@ impl Workbench {
         self.picture = None;
     }
 
-    /// The standards' figures of what is shown, or why there are none; while newer ones are worked out, the ones before.
+    /// The standards' figures of what is shown, or why there are none. Where they are shown those before stand while newer
+    /// ones are worked out; other steps say those of the same answer.
     pub(crate) fn figures(&self) -> Option<&Result<StandardsFigures, String>> {
         self.answer()?;
-        let work = Work::figures(self.diagnosis().map(FittedErrors::from));
-        self.made(&work)?.result.downcast_ref()
+        let ((of, diagnosed), made) = self.derived.figures.made()?;
+        let now = self.plot_inputs();
+        let same = *of == now && *diagnosed == self.diagnosis().map(FittedErrors::from);
+        let stands = self.shows_figures() && Arc::ptr_eq(&of.loaded_session, &now.loaded_session);
+        (same || stands).then_some(made)
     }
 
-    /// The figures that are shown: in the export step, and where a decision rests on them in every step.
-    pub(super) fn wanted_figures(&self) -> Option<Work> {
+    /// In the export step, and where a decision rests on them in every step.
+    pub(super) fn shows_figures(&self) -> bool {
         let wanted = self.view.step == Step::Export || self.rule_and_tolerance().is_some();
-        let measured = !self.loaded_session().is_empty();
-        (wanted && measured && self.answer().is_some())
-            .then(|| Work::figures(self.diagnosis().map(FittedErrors::from)))
+        wanted && !self.loaded_session().is_empty() && self.answer().is_some()
     }
 
     /// The file of targets that was corrected last.

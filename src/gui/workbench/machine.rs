@@ -32,11 +32,6 @@ impl Workbench {
         })
     }
 
-    /// Proposes this date for reports from now on.
-    pub(crate) fn propose_date(&mut self, date: Option<String>) {
-        self.file_state.today = date;
-    }
-
     fn machine<'a>(&'a self, folder: &'a Path) -> Of<'a> {
         let session = &self.loaded_session().session;
         Of {
@@ -144,7 +139,7 @@ mod tests {
     fn the_date_of_a_report_is_proposed_and_can_be_another() {
         let mut workbench = workbench();
         assert_eq!(workbench.stated().details.date, "");
-        workbench.propose_date(Some("2026-11-23".to_owned()));
+        workbench.file_state.today = Some("2026-11-23".to_owned());
         let mut stated = workbench.stated();
         assert_eq!(stated.details.date, "2026-11-23");
         stated.details.date.clear();

@@ -26,19 +26,22 @@ use std::sync::Arc;
 
 use egui::{Color32, ColorImage, TextureHandle};
 
-use crate::effects::Term;
+use crate::compensation::decision::FittedErrors;
 use crate::explain::Section;
 use crate::gui::cache::cloud::Heat;
-use crate::gui::cache::{IdentifiedAnswer, Preview};
-use crate::gui::cache::{Made, Memo, PlotInputs, WorkKey};
+use crate::gui::cache::{
+    ExportPreview, IdentifiedAnswer, Memo, PlotInputs, PreviewRequest, StandardsFigures,
+};
+use crate::gui::charts::effect::Sketches;
+use crate::gui::charts::{ChartPlaceholder, Scene, Shown};
 use crate::gui::core::answer::Question;
-use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest};
 use crate::gui::core::disk::Fingerprint;
-use crate::gui::core::document::{Document, ExportChoice, Method};
+use crate::gui::core::document::{Changed, Document, ExportChoice, Method};
 use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::regions::Counts;
+use crate::gui::core::search::Search;
 use crate::gui::core::simulate::Form;
 use crate::gui::file_state::recovery::{LeftBehind, RecoveryFile};
 use crate::gui::file_state::{Settings, Stated};
@@ -52,7 +55,7 @@ use crate::gui::view::{
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
 use crate::sessions::Region;
-use crate::text::{Language, Template, spoken};
+use crate::text::{Language, spoken};
 
 /// What answers in place of the system's dialogs: for tests, which cannot press anything in one.
 pub(crate) type Chooser = Arc<dyn Fn() -> Option<PathBuf> + Send + Sync>;
@@ -72,8 +75,6 @@ pub(crate) struct Workbench {
     /// What is to be done once the frame is drawn.
     pub(super) changes: RefCell<Vec<Change>>,
     pub(super) dragging: bool,
-    /// A chart and its numbers, ready to be copied.
-    pub(super) copied: Option<(&'static str, String)>,
     /// What waits for a picture of the workspace, and whether one was asked for; the picture as soon as it is there.
     pub(super) waiting: Option<(Change, bool)>,
     pub(super) picture: Option<ColorImage>,
@@ -81,21 +82,29 @@ pub(crate) struct Workbench {
     pub(super) jobs: Jobs<Self>,
 }
 
+type Figures = Result<StandardsFigures, String>;
+/// A chart, or why there is none.
+type Charted = Result<Shown, ChartPlaceholder>;
 /// A session, and how it is divided.
 type Divided = (Arc<LoadedSession>, Arc<[Region]>);
 
 /// What the background has worked out about the document, and works out.
 #[derive(Default)]
 pub(super) struct Derived {
-    pub(super) identified: Slot<IdentifiedAnswer>,
+    pub(super) identified: Slot<Question, Arc<IdentifiedAnswer>>,
     pub(super) searched: Option<Arc<Search>>,
     /// The session that is being searched: only that one can be given its answer.
     pub(super) searching: Option<Arc<LoadedSession>>,
     /// What a search that was stopped had found until then, and in which session.
     pub(super) stopped: Option<(Arc<LoadedSession>, Vec<String>)>,
-    pub(super) preview: Slot<Preview>,
-    /// What plots stand on.
-    pub(super) plots: Vec<(WorkKey, Slot<Made>)>,
+    pub(super) preview: Slot<PreviewRequest, Result<Arc<ExportPreview>, String>>,
+    /// The error over a plane.
+    pub(super) heat: Slot<(PlotInputs, Plane), Option<Arc<Heat>>>,
+    /// The standards' figures, by the errors of a diagnosis where there is one.
+    pub(super) figures: Slot<(PlotInputs, Option<FittedErrors>), Figures>,
+    /// The curves of what a search found.
+    pub(super) sketches: Slot<Arc<Search>, Sketches>,
+    pub(super) chart: Slot<(&'static str, Arc<Scene>), Arc<Charted>>,
     pub(super) compensated: Option<Arc<Compensated>>,
     /// What a diagnosis says, and how it is said.
     pub(super) sections: Memo<(Arc<Search>, Voice), Arc<[Section]>>,
@@ -117,7 +126,6 @@ impl Workbench {
             derived: Derived::default(),
             changes: RefCell::default(),
             dragging: false,
-            copied: None,
             waiting: None,
             picture: None,
             chooser: None,
@@ -291,18 +299,14 @@ impl Workbench {
         self.view.sheet = sheet;
     }
 
-    /// A change of the document, called `what` after “Undo”; while something is dragged, part of one.
-    pub(crate) fn edit(
-        &mut self,
-        what: Template,
-        change: impl FnOnce(&mut Document) -> Result<(), String>,
-    ) {
+    /// A change of the document; while something is dragged, part of one.
+    pub(crate) fn edit(&mut self, change: impl FnOnce(&mut Document) -> Changed) {
         let before = Arc::clone(self.loaded_session());
         let mut next = self.document().clone();
         match change(&mut next) {
             Err(because) => self.complain(say!("This change cannot be made"), vec![because]),
-            Ok(()) if self.dragging => self.history.change_within_gesture(next, what),
-            Ok(()) => self.history.change(next, what),
+            Ok(what) if self.dragging => self.history.change_within_gesture(next, what),
+            Ok(what) => self.history.change(next, what),
         }
         if !Arc::ptr_eq(&before, self.loaded_session()) {
             self.view.marked.clear();
@@ -323,60 +327,14 @@ impl Workbench {
     }
 
     /// Makes one once the frame is drawn.
-    pub(crate) fn edits(
-        &self,
-        what: Template,
-        change: impl FnOnce(&mut Document) -> Result<(), String> + Send + 'static,
-    ) {
-        self.then(move |bench| bench.edit(what, change));
+    pub(crate) fn edits(&self, change: impl FnOnce(&mut Document) -> Changed + Send + 'static) {
+        self.then(move |bench| bench.edit(change));
     }
 
     /// Identifies from now on, by this method or as it is chosen.
     pub(crate) fn identify(&mut self, method: Option<Method>) {
-        self.edit(phrase!("identify"), |document| document.identify(method));
+        self.edit(|document| document.identify(method));
         self.derived.identified.resume();
-    }
-
-    /// Adds what a search found to the exact fit.
-    pub(crate) fn add(&mut self, terms: &[Term]) {
-        self.edit(phrase!("add to model"), |document| document.add(terms));
-    }
-
-    /// Switches an added effect on or off.
-    pub(crate) fn switch(&mut self, index: usize, on: bool) {
-        let what = if on {
-            phrase!("switch effect on")
-        } else {
-            phrase!("switch effect off")
-        };
-        self.edit(what, |document| document.switch(index, on));
-    }
-
-    /// Takes the chosen samples out of every fit and figure, or in again.
-    pub(crate) fn exclude(&mut self, samples: &[usize], out: bool) {
-        let what = if out {
-            phrase!("exclude samples")
-        } else {
-            phrase!("include samples")
-        };
-        self.edit(what, |document| document.exclude(samples, out));
-    }
-
-    pub(crate) fn choose_export(&mut self, choice: ExportChoice) {
-        let what = phrase!("choose table");
-        self.edit(what, |document| document.choose_export(choice));
-    }
-
-    pub(crate) fn set_tolerance(&mut self, tolerance_mm: Option<f64>) {
-        let what = phrase!("set tolerance");
-        self.edit(what, |document| document.set_tolerance(tolerance_mm));
-    }
-
-    pub(super) fn open_session(&mut self, loaded_session: Arc<LoadedSession>) {
-        self.edit(phrase!("open session"), |document| {
-            document.open(loaded_session);
-            Ok(())
-        });
     }
 
     /// Whether something is dragged at present: all that it changes is one change.

@@ -12,9 +12,9 @@ use crate::gui::core::regions::boundaries;
 
 use crate::export::EXPORTERS;
 use crate::fit::Estimate;
-use crate::gui::core::answer;
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
+use crate::gui::core::search::terms;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::testing::workbench;
@@ -30,9 +30,7 @@ fn done(workbench: &mut Workbench, change: impl FnOnce(&mut Workbench)) {
 fn the_exact_fit_finds_what_the_simulation_hid() {
     let mut workbench = workbench();
     done(&mut workbench, |bench| {
-        bench.edit(phrase!("choose effects"), |document| {
-            document.choose_effect("backlash", true)
-        });
+        bench.edit(|document| document.choose_effect("backlash", true));
     });
     done(&mut workbench, |bench| bench.identify(None));
     let found = &workbench
@@ -56,8 +54,8 @@ fn all_that_a_search_found_is_one_model_to_the_last_bit_wherever_it_goes() {
     workbench.receive();
     let found = workbench.diagnosis().expect("it was searched").clone();
     assert!(!found.found.is_empty());
-    let terms: Vec<_> = answer::terms(&found).into_iter().flatten().collect();
-    done(&mut workbench, |bench| bench.add(&terms));
+    let terms: Vec<_> = terms(&found).into_iter().flatten().collect();
+    done(&mut workbench, |bench| bench.edit(|d| d.add(&terms)));
     let all = found.calibration(&workbench.loaded_session().session);
     let answer = workbench.answer().expect("it is identified");
     assert_eq!(answer.calibration, all);
@@ -77,10 +75,10 @@ fn all_that_a_search_found_is_one_model_to_the_last_bit_wherever_it_goes() {
     let gap = answer.identification.gap.after.rms_mm;
     assert!((gap - found.gap.end_mm).abs() < 1e-9, "{gap}");
     // A part of it is another model; all of it is the same one again.
-    done(&mut workbench, |bench| bench.switch(0, false));
+    done(&mut workbench, |bench| bench.edit(|d| d.switch(0, false)));
     let part = &workbench.answer().expect("identified").calibration;
     assert_ne!(part.model, all.model);
-    done(&mut workbench, |bench| bench.switch(0, true));
+    done(&mut workbench, |bench| bench.edit(|d| d.switch(0, true)));
     assert_eq!(workbench.answer().expect("identified").calibration, all);
 }
 
@@ -90,9 +88,7 @@ fn dragging_a_boundary_identifies_by_region_and_is_undone_in_one_step() {
     for deg in [1.0, 3.0, 7.0] {
         workbench.execute(|bench| {
             bench.drag(true);
-            bench.edit(phrase!("move boundary"), |document| {
-                document.move_boundary(3, rad_from_deg(deg))
-            });
+            bench.edit(|document| document.move_boundary(3, rad_from_deg(deg)));
         });
         workbench.receive();
         assert!(workbench.settled(), "the answer follows at once");
@@ -134,9 +130,7 @@ fn what_cannot_be_done_is_said_and_changes_nothing() {
     let mut workbench = workbench();
     let before = workbench.document().clone();
     done(&mut workbench, |bench| {
-        bench.edit(phrase!("divide into regions"), |document| {
-            document.divide(0)
-        });
+        bench.edit(|document| document.divide(0));
     });
     assert_eq!(*workbench.document(), before);
     let message = workbench.view.message.as_ref().expect("it is said");
@@ -169,14 +163,10 @@ fn a_wrong_file_leaves_everything_as_it_was() {
 fn a_saved_session_brings_its_regions_and_its_tolerance_back() {
     let mut workbench = workbench();
     done(&mut workbench, |bench| {
-        bench.edit(phrase!("divide into regions"), |document| {
-            document.divide(4)
-        });
+        bench.edit(|document| document.divide(4));
     });
     done(&mut workbench, |bench| {
-        bench.edit(phrase!("set tolerance"), |document| {
-            document.set_tolerance(Some(0.35))
-        });
+        bench.edit(|document| document.set_tolerance(Some(0.35)));
     });
     assert!(workbench.unsaved());
     let folder = tempfile::tempdir().expect("a folder");
@@ -206,9 +196,7 @@ fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
     workbench.receive();
     let before = workbench.file_state.look;
     done(&mut workbench, |bench| {
-        bench.edit(phrase!("divide into regions"), |document| {
-            document.divide(5)
-        });
+        bench.edit(|document| document.divide(5));
     });
     workbench.execute(Workbench::save);
     workbench.receive();
@@ -246,9 +234,7 @@ fn a_step_is_done_for_the_model_that_was_exported_alone() {
     workbench.receive();
     assert_eq!(workbench.exported().count(), 1);
     done(&mut workbench, |bench| {
-        bench.edit(phrase!("choose effects"), |document| {
-            document.choose_effect("backlash", true)
-        });
+        bench.edit(|document| document.choose_effect("backlash", true));
     });
     done(&mut workbench, |bench| bench.identify(None));
     assert_eq!(workbench.exported().count(), 0);
@@ -298,9 +284,7 @@ fn a_robot_that_is_edited_is_seen_at_once_and_undone_in_one_step() {
         form.robot.tool[0] += f64::from(k);
         workbench.execute(|bench| {
             bench.drag(true);
-            bench.edit(phrase!("edit robot and instrument"), |document| {
-                document.set_up(&form.clone())
-            });
+            bench.edit(|document| document.set_up(&form.clone()));
         });
         workbench.receive();
     }
@@ -342,7 +326,7 @@ fn a_search_ends_where_another_session_is_opened() {
     assert!(workbench.searching().is_some());
     let session = workbench.loaded_session().session.clone();
     let other = LoadedSession::new(session, Vec::new(), Origin::Imported("other.txt".into()));
-    workbench.execute(|bench| bench.open_session(Arc::new(other)));
+    workbench.execute(|bench| bench.edit(|d| Ok(d.open(Arc::new(other)))));
     assert!(workbench.searching().is_none());
 }
 
@@ -367,7 +351,7 @@ fn new_files_belong_beside_what_they_were_made_of() {
     let tracker = folder.path().join("tracker.txt");
     let session = workbench.loaded_session().session.clone();
     let imported = LoadedSession::new(session, Vec::new(), Origin::Imported(tracker));
-    workbench.execute(|bench| bench.open_session(Arc::new(imported)));
+    workbench.execute(|bench| bench.edit(|d| Ok(d.open(Arc::new(imported)))));
     let proposed = workbench.proposed_path();
     assert_eq!(proposed.parent(), Some(folder.path()));
     // A bare name means the same folder, not the one that the program was started in.
@@ -389,7 +373,9 @@ fn excluding_a_sample_keeps_the_sample_and_not_the_session() {
     let opened = Arc::downgrade(workbench.loaded_session());
     let mut before = Vec::new();
     for sample in 1..=4 {
-        done(&mut workbench, |bench| bench.exclude(&[sample], true));
+        done(&mut workbench, |bench| {
+            bench.edit(|d| d.exclude(&[sample], true));
+        });
         before.push(Arc::downgrade(workbench.loaded_session()));
     }
     let alive = before.iter().filter(|one| one.strong_count() > 0).count();
@@ -446,7 +432,7 @@ fn the_figures_of_one_format_do_not_stand_under_the_name_of_another() {
     let choice = workbench.document().export;
     let mut others = EXPORTERS.iter().filter(|other| other.id != choice.format);
     let format = others.next().expect("there are several").id;
-    workbench.execute(|bench| bench.choose_export(ExportChoice { format, ..choice }));
+    workbench.execute(|bench| bench.edit(|d| d.choose_export(ExportChoice { format, ..choice })));
     assert!(workbench.export().is_none(), "it is being prepared");
     workbench.execute(Workbench::cancel_newest);
     assert!(workbench.export().is_none() && workbench.is_unprepared());

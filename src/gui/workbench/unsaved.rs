@@ -334,10 +334,7 @@ impl Workbench {
         session.path.clone_from(&file);
         let origin = Origin::Recovered(file);
         let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
-        self.edit(phrase!("restore"), |document| {
-            document.recover(loaded_session, &kept.about.choices);
-            Ok(())
-        });
+        self.edit(|document| Ok(document.recover(loaded_session, &kept.about.choices)));
         // It is this window's from now on.
         if let Some(other) = self.file_state.recovery_file.replace(own) {
             other.tidy();

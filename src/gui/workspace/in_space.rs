@@ -9,13 +9,14 @@ use egui::{
 };
 use nalgebra::Isometry3;
 
+use crate::gui::plots;
 use crate::gui::style::{Palette, space};
 use crate::gui::view::{Ball, Camera as ViewCamera};
+use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::pen::{Camera, Pen};
 use crate::gui::workspace::pointer::{Seen, tell_plot_size};
 use crate::gui::workspace::robot::{Drawn, body};
-use crate::gui::{plots, widgets};
 use crate::kinematics::Robot;
 
 use super::scene::{Space, in_space};
@@ -77,7 +78,7 @@ fn describe(response: &Response, workbench: &Workbench) {
 /// Room around the robot, a part of its ball.
 const ROOM: f64 = 1.12;
 
-/// Draws a robot in a field of this size, seen from where the camera is; `name` says what it shows.
+/// Draws a robot of this name at its zero in a field of this size, seen from where the camera is.
 pub(crate) fn robot_alone(
     ui: &mut Ui,
     (robot, name): (&Robot, &str),
@@ -85,7 +86,7 @@ pub(crate) fn robot_alone(
     size: Vec2,
 ) -> Response {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-    widgets::label(&response, name);
+    widgets::label(&response, say!("{robot} at its zero", robot = name));
     let palette = Palette::of(ui);
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, space::ROUND, palette.inset);

@@ -6,11 +6,11 @@ use egui::{
     Align2, Color32, FontId, Link, Popup, PopupCloseBehavior, Pos2, Rect, RichText, Role, Sense,
     Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
-use egui_plot::PlotTransform;
 
 use crate::gui::layers::scale_at;
+use crate::gui::plots::legend::{self, SIGN};
+use crate::gui::plots::mark;
 use crate::gui::style::{Palette, size};
-
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
@@ -26,61 +26,51 @@ use super::robot::Drawn;
 const LONGEST_SCALE: f64 = 52.0;
 /// Room for the arrow and its length in words, points.
 const SCALE: f32 = 116.0;
-/// Width of the sign of a mark or a line, points.
-const SIGN: f32 = 14.0;
 
-fn symbol(ui: &mut Ui, one: &Entry, palette: &Palette) {
-    let room = entry(ui, one.wide, &one.name, palette);
-    Pen::draw(ui, |pen| (one.sign)(pen, room.center()));
+/// A name, and its sign about the middle of so much room.
+type Entry = (String, Vec<Shape>, f32);
+
+fn show_entry(ui: &mut Ui, (name, sign, room): Entry) -> Rect {
+    let muted = Palette::of(ui).muted;
+    let (place, response) = legend::entry(ui, (sign, room), (&name, muted), Sense::hover());
+    let label = say!("legend: {name}", name);
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, label.clone()));
+    place
 }
 
-fn note(ui: &mut Ui, says: &str, palette: &Palette) {
-    entry(ui, 0.0, says, palette);
-}
-
-fn rows(ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
-    ui.scope(|ui| {
-        ui.spacing_mut().item_spacing = vec2(10.0, 1.0);
-        ui.spacing_mut().interact_size.y = HIGH;
-        ui.horizontal_wrapped(contents);
-    });
-}
-
-/// The rows over a plot of the plane. Where the scale of the vectors goes: its length is known only
-/// when the plot is.
+/// The rows over a plot of the plane. Where the scale of the vectors goes, after everything else: its length is known
+/// only when the plot is.
 pub(super) fn show(
     ui: &mut Ui,
     workbench: &Workbench,
     shown: &Shown,
     robot: Option<&Drawn>,
-    notes: &[String],
+    notes: impl Iterator<Item = String>,
 ) -> Option<Rect> {
-    let palette = &Palette::of(ui);
-    let mut of_vectors = None;
-    let measured = !workbench.loaded_session().is_empty();
+    let palette = Palette::of(ui);
     let low = ui.available_height() < LOW;
-    let entries = entries(workbench, shown, robot, palette);
-    let long = if low { SHORT } else { LONG };
-    let scale_of_colours = scale(workbench, shown).map(|of| colour_bar(ui, of, long));
-    let marks = |ui: &mut Ui| entries.iter().for_each(|one| symbol(ui, one, palette));
-    rows(ui, |ui| {
-        if measured {
-            of_vectors = Some(entry(ui, SCALE, "", palette));
-        }
-        if !low {
-            marks(ui);
-        }
-        if let Some(one) = &scale_of_colours {
-            symbol(ui, one, palette);
-        }
+    let marks = entries(workbench, shown, robot, &palette).into_iter();
+    let bar = colour_bar(ui, workbench, shown, if low { SHORT } else { LONG });
+    let between = vec2(10.0, 1.0);
+    legend::rows(ui, between, |ui| {
+        let all = |ui: &mut Ui| {
+            for one in marks {
+                show_entry(ui, one);
+            }
+        };
         if low {
-            folded(ui, marks);
+            bar.map(|bar| show_entry(ui, bar));
+            folded(ui, all);
+        } else {
+            all(ui);
+            bar.map(|bar| show_entry(ui, bar));
         }
         for says in notes {
-            note(ui, says, palette);
+            show_entry(ui, (says, Vec::new(), 0.0));
         }
-    });
-    of_vectors
+        let measured = !workbench.loaded_session().is_empty();
+        measured.then(|| show_entry(ui, (String::new(), Vec::new(), SCALE)))
+    })
 }
 
 /// A plot that would be lower than this has its marks explained behind a button, points.
@@ -88,7 +78,7 @@ pub(super) const LOW: f32 = 330.0;
 
 /// A word that shows what the marks mean when it is pressed.
 fn folded(ui: &mut Ui, marks: impl FnOnce(&mut Ui)) {
-    let word = RichText::new(say!("legend")).size(size::SMALL);
+    let word = RichText::new(say!("legend")).small();
     let word = ui.add(Link::new(word));
     Popup::menu(&word)
         .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
@@ -110,54 +100,32 @@ pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown
     let long = single(mm * shown.magnification * points_per_mm);
     let length = trimmed(units.length_value(mm), 6);
     let says = format!("{length} {}", units.length_name());
-    Pen::draw(ui, |pen| {
-        let color = if shown.look.answered && shown.look.blend > 0.0 {
-            pen.palette.after
-        } else {
-            pen.palette.before
-        };
-        let ends = [room.left_center(), room.left_center() + vec2(long, 0.0)];
-        pen.arrow(ends, Stroke::new(2.0, color));
-        let says = Label::new(says, pen.palette.text).anchored(Align2::LEFT_CENTER);
-        pen.label(ends[1] + vec2(8.0, 0.0), &says);
-    });
+    // The legend stands above the plot.
+    let painter = ui.painter().with_clip_rect(room.expand(40.0));
+    let palette = Palette::of(ui);
+    let mut pen = Pen::new(&painter, &palette);
+    let color = if shown.look.answered && shown.look.blend > 0.0 {
+        palette.after
+    } else {
+        palette.before
+    };
+    let ends = [room.left_center(), room.left_center() + vec2(long, 0.0)];
+    pen.arrow(ends, Stroke::new(2.0, color));
+    let says = Label::new(says, palette.text).anchored(Align2::LEFT_CENTER);
+    pen.label(ends[1] + vec2(8.0, 0.0), &says);
+    painter.extend(pen.shapes);
 }
 
-type Sign = dyn Fn(&mut Pen<'_>, Pos2);
-
-/// A name, with its sign.
-struct Entry {
-    name: String,
-    /// Points.
-    wide: f32,
-    /// Draws it about its middle.
-    sign: Box<Sign>,
+/// Pieces of lines, one over the other.
+fn line<const N: usize>(name: &str, strokes: [(f32, Color32); N]) -> Entry {
+    let ends = [-0.5, 0.5].map(|end| pos2(end * SIGN, 0.0));
+    let pieces = strokes.map(|(width, color)| Shape::line_segment(ends, Stroke::new(width, color)));
+    (name.to_owned(), pieces.into(), SIGN)
 }
 
-impl Entry {
-    fn new(name: impl Into<String>, sign: impl Fn(&mut Pen<'_>, Pos2) + 'static) -> Self {
-        Self {
-            name: name.into(),
-            wide: SIGN,
-            sign: Box::new(sign),
-        }
-    }
-
-    /// Pieces of lines, one over the other.
-    fn line<const N: usize>(name: &str, strokes: [(f32, Color32); N]) -> Self {
-        Self::new(name, move |pen, at| {
-            let half = vec2(0.5 * SIGN, 0.0);
-            for (width, color) in strokes {
-                pen.line([at - half, at + half], Stroke::new(width, color));
-            }
-        })
-    }
-
-    fn mark(name: &str, (form, radius): (Form, f32), fill: Color32, edge: Stroke) -> Self {
-        Self::new(name, move |pen, at| {
-            pen.mark(at, (form, radius), fill, edge);
-        })
-    }
+fn sign(name: &str, (form, radius): (Form, f32), fill: Color32, edge: Stroke) -> Entry {
+    let mark = mark(Pos2::ZERO, radius, form, fill, edge);
+    (name.to_owned(), vec![mark], SIGN)
 }
 
 /// What the marks mean.
@@ -173,59 +141,29 @@ fn entries(
     }
     if robot.is_some() {
         let tube = [(7.0, palette.nominal), (4.5, palette.surface)];
-        all.push(Entry::line(say!("robot"), tube));
+        all.push(line(say!("robot"), tube));
     }
     all
 }
 
 fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown, palette: &Palette) {
     if !shown.paths_mm.is_empty() {
-        all.push(Entry::line(say!("nominal path"), [(1.25, palette.nominal)]));
+        all.push(line(say!("nominal path"), [(1.25, palette.nominal)]));
     }
     if shown.look.ghosts() {
         let before = palette.before.gamma_multiply(0.5);
-        all.push(Entry::line(say!("before"), [(1.5, before)]));
-        all.push(Entry::line(say!("after"), [(1.8, palette.after)]));
+        all.push(line(say!("before"), [(1.5, before)]));
+        all.push(line(say!("after"), [(1.8, palette.after)]));
     }
-    let disc = |name: &str, color| Entry::mark(name, (Form::Disc, 2.8), color, Stroke::NONE);
+    let disc = |name: &str, color| sign(name, (Form::Disc, 2.8), color, Stroke::NONE);
     if workbench.document().tolerance_mm.is_some() {
         let edge = Stroke::new(1.4, palette.outside);
         let [within, outside] = [true, false].map(|within| judged(workbench, within));
         all.push(disc(within, palette.within));
-        all.push(Entry::mark(
-            outside,
-            (Form::Diamond, 3.2),
-            palette.surface,
-            edge,
-        ));
+        let open = (Form::Diamond, 3.2);
+        all.push(sign(outside, open, palette.surface, edge));
     } else {
         all.push(disc(say!("measured"), palette.text));
-    }
-}
-
-/// What the legend says of what is not drawn. It stands above the plot, and what is drawn follows
-/// from the plot's size: the legend says what the frame before found.
-pub(super) struct Notes {
-    id: egui::Id,
-    before: Vec<String>,
-    pub(super) lines: Vec<String>,
-}
-
-impl Notes {
-    pub(super) fn recall(ui: &Ui, shown: &Shown) -> Self {
-        let id = ui.scope_id().with("what is not drawn");
-        let before: Vec<String> = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-        let said = shown.note().into_iter().chain(before.iter().cloned());
-        let lines = said.collect();
-        Self { id, before, lines }
-    }
-
-    pub(super) fn keep(&self, ui: &Ui, shown: &Shown, transform: &PlotTransform) {
-        let now = fitting::drawn(shown, fitting::counts(shown, transform));
-        if now != self.before {
-            ui.data_mut(|data| data.insert_temp(self.id, now));
-            ui.ctx().request_repaint();
-        }
     }
 }
 
@@ -247,51 +185,25 @@ fn scale(workbench: &Workbench, shown: &Shown) -> Option<[String; 2]> {
 }
 
 /// The scale as an entry of the legend: from little to much.
-fn colour_bar(ui: &Ui, [name, high]: [String; 2], long: f32) -> Entry {
+fn colour_bar(ui: &Ui, workbench: &Workbench, shown: &Shown, long: f32) -> Option<Entry> {
+    let [name, high] = scale(workbench, shown)?;
+    let palette = Palette::of(ui);
     let width = |text: &str| widgets::width_of(ui, text, FontId::proportional(size::SMALL));
     let before = width("0") + 4.0;
     let wide = before + long + 4.0 + width(&high);
     let left = before - 0.5 * wide;
-    let sign = move |pen: &mut Pen<'_>, at: Pos2| {
-        for (x, says) in [(-0.5 * wide, "0"), (left + long + 4.0, &high)] {
-            let label = Label::new(says, pen.palette.muted).anchored(Align2::LEFT_CENTER);
-            pen.label(at + vec2(x, 0.0), &label);
-        }
-        for k in 0..PIECES {
-            let [from, to] = [k, k + 1].map(|k| left + long * f32::from(k) / f32::from(PIECES));
-            let color = scale_at(pen.palette, f32::from(k) / f32::from(PIECES - 1));
-            let piece = Rect::from_x_y_ranges(
-                at.x + from..=at.x + to,
-                at.y - 0.5 * THICK..=at.y + 0.5 * THICK,
-            );
-            pen.shapes.push(Shape::rect_filled(piece, 0.0, color));
-        }
-    };
-    Entry {
-        wide,
-        ..Entry::new(name, sign)
+    let mut pen = Pen::new(ui.painter(), &palette);
+    for (x, says) in [(-0.5 * wide, "0"), (left + long + 4.0, &high)] {
+        let label = Label::new(says, palette.muted).anchored(Align2::LEFT_CENTER);
+        pen.label(pos2(x, 0.0), &label);
     }
-}
-
-/// Height of a row, points.
-const HIGH: f32 = 18.0;
-
-/// An entry of the legend: so much room for what is drawn, and its name behind it. Where the room
-/// is.
-fn entry(ui: &mut Ui, room: f32, name: &str, palette: &Palette) -> Rect {
-    let font = FontId::proportional(size::SMALL);
-    let galley = ui
-        .painter()
-        .layout_no_wrap(name.to_owned(), font, palette.muted);
-    let between = if name.is_empty() { 0.0 } else { 5.0 };
-    let wide = room + between + galley.size().x;
-    let (rect, response) = ui.allocate_exact_size(vec2(wide, HIGH), Sense::hover());
-    let label = say!("legend: {name}", name);
-    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, label.clone()));
-    let at = pos2(rect.right(), rect.center().y);
-    let place = Align2::RIGHT_CENTER.anchor_size(at, galley.size());
-    ui.painter().galley(place.min, galley, palette.muted);
-    rect.with_max_x(rect.left() + room)
+    for k in 0..PIECES {
+        let [from, to] = [k, k + 1].map(|k| left + long * f32::from(k) / f32::from(PIECES));
+        let color = scale_at(&palette, f32::from(k) / f32::from(PIECES - 1));
+        let piece = Rect::from_x_y_ranges(from..=to, -0.5 * THICK..=0.5 * THICK);
+        pen.shapes.push(Shape::rect_filled(piece, 0.0, color));
+    }
+    Some((name, pen.shapes, wide))
 }
 
 #[cfg(test)]

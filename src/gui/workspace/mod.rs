@@ -2,8 +2,8 @@
 //! measured points, error vectors.
 
 use egui::{
-    ColorImage, Context, Id, Popup, PopupCloseBehavior, Pos2, Rect, RichText, Role, Slider, Ui,
-    WidgetInfo, vec2,
+    ColorImage, Context, Id, Popup, PopupCloseBehavior, Pos2, Rect, Response, RichText, Role,
+    Slider, Ui, WidgetInfo, vec2,
 };
 use egui_plot::Axis;
 use pen::{Camera, Pen};
@@ -13,7 +13,7 @@ use crate::gui::core::overview::Readable;
 use crate::gui::plots::{self, axis, picture, steps_in};
 use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Aspect, Plane, Plot, Step};
-use crate::gui::widgets::{self, caption, fine};
+use crate::gui::widgets::{self, Buttons, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::model::{magnification as magnification_of, readable, room};
 use crate::present::numbers::{significant, trimmed};
@@ -175,24 +175,27 @@ fn ways(ui: &mut Ui, workbench: &Workbench) {
     if widgets::width_of_segments(ui, &views) > ui.available_size_before_wrap().x {
         ui.end_row();
     }
-    match widgets::segmented(ui, &views, (view.aspect, view.plane)) {
+    match ui.segmented(&views, (view.aspect, view.plane)) {
         Some((Aspect::Plane, plane)) => workbench.then(move |bench| bench.view.look_in(plane)),
         Some((Aspect::Space, _)) => workbench.then(|bench| bench.view.look_in_space()),
         None => {}
     }
 }
 
+fn display_says() -> String {
+    format!("{} …", say!("display"))
+}
+
 /// How vectors, map and colours are drawn.
 fn display(ui: &mut Ui, workbench: &Workbench) {
-    let text = RichText::new(say!("display").to_owned() + " …").size(size::SMALL);
-    let button = ui.button(text);
+    let button = ui.button(RichText::new(display_says()).small());
     widgets::label(&button, say!("How it is drawn"));
     let menu = Popup::menu(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     menu.show(|ui| {
         ui.spacing_mut().item_spacing = vec2(space::ROW, space::ROW);
-        widgets::row(ui, |ui| magnification(ui, workbench));
+        ui.row(|ui| magnification(ui, workbench));
         if let Some(after) = workbench.after() {
-            widgets::row(ui, |ui| scale_for(ui, workbench, after.readable));
+            ui.row(|ui| scale_for(ui, workbench, after.readable));
         }
         if !workbench.view.in_space() {
             heat(ui, workbench);
@@ -202,37 +205,41 @@ fn display(ui: &mut Ui, workbench: &Workbench) {
 
 /// From before to after. What stands at the end that is shown is written stronger.
 fn blend(ui: &mut Ui, workbench: &Workbench) {
-    /// Of the slider; and of what stands between it and its ends.
-    const SLIDER: f32 = 64.0;
-    const BETWEEN: f32 = 4.0 * space::ROW;
+    /// How long the slider is; and two buttons with signs, which stand behind it with that of the display.
+    const SLIDER: [f32; 2] = [32.0, 64.0];
+    const SIGNS: f32 = 56.0;
     let mut blend = workbench.view.blend;
-    let palette = Palette::of(ui);
-    let ends = [say!("before"), say!("after")];
     let font = egui::FontId::proportional(size::SMALL);
-    let ends = ends.map(|end| widgets::width_of(ui, end, font.clone()));
-    if ends.iter().sum::<f32>() + SLIDER + BETWEEN > ui.available_size_before_wrap().x {
+    let words = [say!("before"), say!("after"), &display_says()];
+    let words = words.map(|word| widgets::width_of(ui, word, font.clone()));
+    let between = 5.0 * ui.spacing().item_spacing.x + 2.0 * ui.spacing().button_padding.x;
+    let room = ui.available_size_before_wrap().x - words.iter().sum::<f32>() - between - SIGNS;
+    if room < SLIDER[0] {
         ui.end_row();
     }
     let end = |ui: &mut Ui, text: &str, shown: bool| {
-        let text = RichText::new(text).size(size::SMALL);
-        let text = if shown {
-            text.color(palette.text).strong()
-        } else {
-            text.color(palette.muted)
-        };
-        ui.label(text);
+        let text = RichText::new(text).small();
+        ui.label(if shown { text.strong() } else { text.weak() });
     };
     end(ui, say!("before"), blend <= 0.0);
-    let usual = ui.spacing().clone();
-    fine(ui, SLIDER);
-    let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
-    *ui.spacing_mut() = usual;
-    widgets::label(&slider, say!("From before to after"));
+    let control = Slider::new(&mut blend, 0.0..=1.0).show_value(false);
+    let room = room.clamp(SLIDER[0], SLIDER[1]);
+    let slider = slider(ui, say!("From before to after"), room, control);
     if slider.changed() {
         workbench.then(move |bench| bench.view.blend = blend);
     }
     slider.on_hover_text(blend_says(blend));
     end(ui, say!("after"), blend >= 1.0);
+}
+
+/// A slider of this name, finer than those of forms.
+fn slider(ui: &mut Ui, name: &str, long: f32, slider: Slider<'_>) -> Response {
+    let usual = ui.spacing().clone();
+    ui.spacing_mut().slider_width = long;
+    ui.spacing_mut().interact_size.y = 18.0;
+    let response = ui.named(name, slider);
+    *ui.spacing_mut() = usual;
+    response
 }
 
 /// What the vectors, the marks and the heat map show.
@@ -253,18 +260,15 @@ fn blend_says(blend: f32) -> String {
 /// How long the vectors are drawn.
 fn magnification(ui: &mut Ui, workbench: &Workbench) {
     let now = magnification_of(workbench);
-    caption(ui, say!("vectors"));
+    ui.caption(say!("vectors"));
     let mut factor = now;
-    fine(ui, 60.0);
-    let slider = Slider::new(&mut factor, 1.0..=100_000.0)
-        .logarithmic(true)
-        .show_value(false);
-    let slider = ui.add(slider);
-    widgets::label(&slider, say!("Length of vectors"));
+    let control = Slider::new(&mut factor, 1.0..=100_000.0);
+    let control = control.logarithmic(true).show_value(false);
+    let slider = slider(ui, say!("Length of vectors"), 60.0, control);
     if slider.changed() && factor != now {
         workbench.then(move |bench| bench.view.magnification = Some(factor));
     }
-    caption(ui, &format!("× {}", significant(now, 2)));
+    ui.caption(&format!("× {}", significant(now, 2)));
 }
 
 /// Whose lengths vectors and colours are made for.
@@ -276,9 +280,9 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, after: Readable) {
     let says = say!(
         "how long vectors are drawn and where the colours of lengths end: so that the deviations before can be read, or those that are left after"
     );
-    caption(ui, say!("scale for")).on_hover_text(says);
+    ui.caption(say!("scale for")).on_hover_text(says);
     let options = [(Some(before), say!("before")), (Some(left), say!("after"))];
-    match widgets::segmented(ui, &options, Some(now)) {
+    match ui.segmented(&options, Some(now)) {
         Some(Some(factor)) if factor == readable(workbench) => {
             workbench.then(move |bench| bench.view.magnification = None);
         }
@@ -290,7 +294,7 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, after: Readable) {
 /// Whether the error between the samples is shown.
 fn heat(ui: &mut Ui, workbench: &Workbench) {
     let mut shown = workbench.view.heat;
-    let text = RichText::new(say!("heat map")).size(size::SMALL);
+    let text = RichText::new(say!("heat map")).small();
     let says = say!("the root mean square deviation between the samples, fading away from them");
     let checkbox = ui.checkbox(&mut shown, text).on_hover_text(says);
     widgets::label(&checkbox, say!("heat map"));

@@ -15,10 +15,10 @@ use crate::gui::core::quantity::joint_value;
 use crate::gui::core::regions::{self, SNAP_DEG};
 use crate::gui::style::Palette;
 use crate::gui::view::ViewState;
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Words};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::fitting;
-use crate::gui::workspace::legend::{self, Notes};
+use crate::gui::workspace::legend;
 use crate::gui::workspace::model::{Shown, judged};
 use crate::gui::workspace::pen::Camera;
 use crate::gui::workspace::robot::Drawn;
@@ -26,27 +26,7 @@ use crate::present::numbers::trimmed;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// A sample is under the pointer within this many points.
-const REACH: f32 = 14.0;
-
-/// The sample that is drawn under the pointer.
-pub(super) fn under(
-    workbench: &Workbench,
-    shown: &Shown,
-    camera: &Camera,
-    at: Pos2,
-) -> Option<usize> {
-    let transform = &camera.transform;
-    let at = transform.value_from_position(at);
-    let [points, _] = fitting::counts(shown, transform);
-    let scale = camera.points_per_mm();
-    drawn_at(
-        workbench,
-        shown,
-        [at.x, at.y],
-        scale,
-        (f64::from(REACH), points),
-    )
-}
+const REACH: f64 = 14.0;
 
 /// Marks that are less than this apart on the screen stand on one another, points.
 const SAME: f64 = 3.0;
@@ -71,35 +51,29 @@ fn picked(candidates: &[Candidate]) -> Option<usize> {
     there.max_by(first).map(|c| c.sample)
 }
 
-/// The sample at a point of the plot, mm to the right and up as the shown has it, within `reach`
-/// points of it. Only what is drawn is there: the first `points` of the cloud.
-fn drawn_at(
+/// The sample within `reach` points of one in the picture. Only what is drawn is there: the first `points` of the cloud.
+fn under(
     workbench: &Workbench,
     shown: &Shown,
-    at_mm: [f64; 2],
-    points_per_mm: f64,
-    (reach, points): (f64, usize),
+    camera: &Camera,
+    (at, (reach, points)): (Pos2, (f64, usize)),
 ) -> Option<usize> {
     let facing = &shown.look.facing;
-    let reach_mm = reach / points_per_mm;
-    let within = |p: [f64; 2]| {
-        let distance = (p[0] - at_mm[0]).hypot(p[1] - at_mm[1]);
-        (distance <= reach_mm).then_some(distance * points_per_mm)
-    };
+    let at = camera.transform.value_from_position(at);
     let cloud = Cloud::of(workbench.loaded_session());
     let [x, y] = facing.flat(cloud.centre_mm);
     let drawn = cloud.places.iter().zip(&cloud.samples).take(points);
     let found = drawn.filter_map(|(place, sample)| {
         let p = [0, 1, 2].map(|k| f64::from(place[k]));
         let [right, up] = facing.flat(p);
-        Some(Candidate {
+        let distance = (x + right - at.x).hypot(y + up - at.y) * camera.points_per_mm();
+        (distance <= reach).then(|| Candidate {
             sample: *sample as usize,
-            distance: within([x + right, y + up])?,
+            distance,
             nearness: facing.nearness(p),
         })
     });
-    let found: Vec<Candidate> = found.collect();
-    picked(&found)
+    picked(&found.collect::<Vec<_>>())
 }
 
 /// Sends what is under the pointer, and says what it is.
@@ -156,7 +130,7 @@ fn card(response: &Response, workbench: &Workbench, sample: usize) {
         let card = ui.scope(|ui| {
             widgets::facts(ui, &said);
             if !chosen {
-                widgets::caption(ui, say!("click for more"));
+                ui.caption(say!("click for more"));
             }
         });
         let says = spoken(&said.0, &said.1);
@@ -259,21 +233,27 @@ fn about(workbench: &Workbench, sample: usize, all: bool) -> (String, Vec<Line>)
 pub(super) struct Seen {
     pub(super) shown: Shown,
     pub(super) robot: Option<Drawn>,
-    notes: Notes,
+    /// What is not drawn follows from the plot's size: the legend above it says what the frame before found.
+    not_drawn: Vec<String>,
     scale: Option<Rect>,
+}
+
+fn not_drawn() -> Id {
+    Id::unique("what is not drawn")
 }
 
 impl Seen {
     /// As the workbench has it, with the rows over the plot.
     pub(super) fn of(ui: &mut Ui, workbench: &Workbench) -> Self {
         let (shown, robot) = (Shown::of(workbench), Drawn::of(workbench));
-        let notes = Notes::recall(ui, &shown);
-        let scale = legend::show(ui, workbench, &shown, robot.as_ref(), &notes.lines);
+        let before = ui.data(|data| data.get_temp::<Vec<String>>(not_drawn()));
+        let before = before.unwrap_or_default();
+        let notes = shown.note().into_iter().chain(before.iter().cloned());
         Self {
+            scale: legend::show(ui, workbench, &shown, robot.as_ref(), notes),
+            not_drawn: before,
             shown,
             robot,
-            notes,
-            scale,
         }
     }
 
@@ -285,23 +265,21 @@ impl Seen {
         camera: &Camera,
         (response, pointer): (&Response, Option<Pos2>),
     ) {
-        self.notes.keep(ui, &self.shown, &camera.transform);
-        over(ui, workbench, self, camera);
-        let under = pointer.and_then(|at| under(workbench, &self.shown, camera, at));
+        let counts = fitting::counts(&self.shown, &camera.transform);
+        let now = fitting::drawn(&self.shown, counts);
+        if now != self.not_drawn {
+            ui.data_mut(|data| data.insert_temp(not_drawn(), now));
+            ui.ctx().request_repaint();
+        }
+        if let Some(room) = self.scale {
+            legend::scale_in(ui, room, workbench, &self.shown, camera);
+        }
+        if let Some(robot) = &self.robot {
+            label(ui, camera, robot);
+        }
+        let within = (REACH, counts[0]);
+        let under = pointer.and_then(|at| under(workbench, &self.shown, camera, (at, within)));
         hover(response, workbench, under);
-    }
-}
-
-fn over(ui: &mut Ui, workbench: &Workbench, seen: &Seen, camera: &Camera) {
-    let all = &seen.shown;
-    if let Some(room) = seen.scale {
-        // The legend stands above the plot.
-        let mut above = ui.new_child(egui::UiBuilder::new().max_rect(room));
-        above.set_clip_rect(room.expand(40.0));
-        legend::scale_in(&above, room, workbench, all, camera);
-    }
-    if let Some(robot) = &seen.robot {
-        label(ui, camera, robot);
     }
 }
 
@@ -411,15 +389,11 @@ pub(crate) fn boundary_handles(ui: &mut Ui, workbench: &Workbench, handles: &Han
             && let Some(pointer) = response.interact_pointer_pos()
         {
             let to = regions::snapped_rad((handles.angle)(pointer, boundary.at_rad));
-            workbench.edits(phrase!("move boundary"), move |document| {
-                document.move_boundary(index, to)
-            });
+            workbench.edits(move |document| document.move_boundary(index, to));
         }
         if let Some(to_deg) = moved_by_keys(ui, &response, at_deg) {
             let to = rad_from_deg(to_deg);
-            workbench.edits(phrase!("move boundary"), move |document| {
-                document.move_boundary(index, to)
-            });
+            workbench.edits(move |document| document.move_boundary(index, to));
         }
         paint(ui, &response);
         response.on_hover_text(say!(
@@ -517,19 +491,22 @@ mod tests {
             workbench.execute(|bench| bench.view.camera = camera);
             let shown = Shown::of(&workbench);
             let facing = workbench.facing();
+            // 100 points for a mm.
+            let frame = Rect::from_center_size(Pos2::ZERO, Vec2::splat(200.0));
+            let camera = Camera::showing(facing, [[-1.0; 2], [1.0; 2]], frame);
             let loaded_session = workbench.loaded_session();
             for sample in loaded_session.overview.usable.iter().map(|s| *s as usize) {
                 let p = loaded_session.measured(sample);
-                let at = facing.flat(p);
                 let all = loaded_session.len();
-                let found = drawn_at(&workbench, &shown, at, 100.0, (14.0, all));
+                let found = under(&workbench, &shown, &camera, (camera.at(p), (14.0, all)));
                 let found = found.expect("it is there");
                 let q = loaded_session.measured(found);
                 let apart = facing.flat([0, 1, 2].map(|k| q[k] - p[k]));
                 assert!(100.0 * apart[0].hypot(apart[1]) < SAME + 0.1);
                 assert!(facing.nearness(q) > facing.nearness(p) - 1e-3);
             }
-            let nowhere = drawn_at(&workbench, &shown, [1e5, 1e5], 100.0, (14.0, 9));
+            let nowhere = camera.at_flat([1e5, 1e5]);
+            let nowhere = under(&workbench, &shown, &camera, (nowhere, (14.0, 9)));
             assert_eq!(nowhere, None);
         }
     }

@@ -91,7 +91,7 @@ fn heat(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera
     };
     let (look, palette, ctx) = (&shown.look, pen.palette, pen.painter.ctx());
     let of = (Arc::clone(heat), look.blend, look.long_mm, palette.surface);
-    let picture = workbench.heat_picture(of, || {
+    let picture = workbench.derived.heat_picture.get(of, || {
         let image = heat_map(heat, look, palette);
         ctx.load_texture("heat map", image, TextureOptions::LINEAR)
     });

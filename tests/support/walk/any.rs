@@ -9,11 +9,11 @@ use rand_chacha::ChaCha8Rng;
 use crate::diagnosis::SessionCorrection;
 use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
-use crate::gui::core::answer::term_of;
 use crate::gui::core::compensated::CompensationRequest;
-use crate::gui::core::document::{ExportChoice, Method};
+use crate::gui::core::document::{Document, ExportChoice, Method};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::robot_table::RobotTable;
+use crate::gui::core::search::term_of;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom};
@@ -171,54 +171,49 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
     let region = random.random_range(0..9);
     match random.random_range(0..40) {
         0 | 1 => deed("Divide", random.random_range(0..12), |bench, it| {
-            bench.edit(phrase!("divide into regions"), |d| d.divide(it));
+            bench.edit(|d| d.divide(it));
         }),
         2..=8 => deed("MoveBoundary", (region, angle(random)), |bench, it| {
-            bench.edit(phrase!("move boundary"), |d| d.move_boundary(it.0, it.1));
+            bench.edit(|d| d.move_boundary(it.0, it.1));
         }),
         9..=11 => deed("Split", region, |bench, it| {
-            bench.edit(phrase!("split region"), |d| d.split(it));
+            bench.edit(|d| d.split(it));
         }),
         12 | 13 => deed("Join", region, |bench, it| {
-            bench.edit(phrase!("merge regions"), |d| d.join(it));
+            bench.edit(|d| d.join(it));
         }),
         14 | 15 => deed("Delete", region, |bench, it| {
-            bench.edit(phrase!("delete region"), |d| d.delete(it));
+            bench.edit(|d| d.delete(it));
         }),
         16 | 17 => {
             let name = ["", "1", "2", "Ost", "  x ", "ß·∆"];
             deed(
                 "Rename",
                 (region, pick(random, &name).to_owned()),
-                |bench, it| bench.edit(phrase!("rename region"), |d| d.rename(it.0, &it.1)),
+                |bench, it| bench.edit(|d| d.rename(it.0, &it.1)),
             )
         }
         18 => deed("RegionsOfSession", (), |bench, ()| {
-            bench.edit(phrase!("take regions from session"), |d| {
-                d.regions_of_session()
-            });
+            bench.edit(Document::regions_of_session);
         }),
         19 => deed("KeepRegions", (), |bench, ()| {
-            bench.edit(phrase!("keep the regions"), |d| {
-                d.keep_regions();
-                Ok(())
-            });
+            bench.edit(|d| Ok(d.keep_regions()));
         }),
         20 => deed(
             "Method",
             pick(random, &[Method::Exact, Method::Regional]),
-            |bench, it| bench.edit(phrase!("choose method"), |d| d.choose_method(it)),
+            |bench, it| bench.edit(|d| d.choose_method(it)),
         ),
         21 | 22 => {
             let effect = CATALOGUE[random.random_range(0..4)].about().id;
             deed("Effect", (effect, random.random()), |bench, it| {
-                bench.edit(phrase!("choose effects"), |d| d.choose_effect(it.0, it.1));
+                bench.edit(|d| d.choose_effect(it.0, it.1));
             })
         }
         23 | 24 => {
             let tolerances = [None, Some(0.3), Some(0.0), Some(-1.0), Some(f64::NAN)];
             deed("Tolerance", pick(random, &tolerances), |bench, it| {
-                bench.edit(phrase!("set tolerance"), |d| d.set_tolerance(it));
+                bench.edit(|d| d.set_tolerance(it));
             })
         }
         25 | 26 => deed(
@@ -230,13 +225,13 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
                     .then(|| random.random_range(-1.0..10.0)),
                 joint: random.random_range(0..2),
             },
-            |bench, it| bench.edit(phrase!("choose table"), |d| d.choose_export(it)),
+            |bench, it| bench.edit(|d| d.choose_export(it)),
         ),
         27 | 28 => deed("Setup", setup(random, loaded_session), |bench, it| {
-            bench.edit(phrase!("edit robot and instrument"), |d| d.set_up(&it));
+            bench.edit(|d| d.set_up(&it));
         }),
         29 => deed("Correct", vec![correction(random)], |bench, it| {
-            bench.edit(phrase!("correct data"), |d| d.correct(&it));
+            bench.edit(|d| d.correct(&it));
         }),
         35 => deed(
             "Exclude",
@@ -244,18 +239,20 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
                 (0..random.random_range(0..60)).collect::<Vec<_>>(),
                 random.random(),
             ),
-            |bench, it| bench.exclude(&it.0, it.1),
+            |bench, it| bench.edit(|d| d.exclude(&it.0, it.1)),
         ),
         30 => {
             // Nothing found is added as well: nothing changes then.
             let found = workbench.diagnosis().into_iter();
             let terms = found.flat_map(|d| d.found.iter().filter_map(|f| term_of(d, f)));
-            deed("Add", terms.collect::<Vec<_>>(), |bench, it| bench.add(&it))
+            deed("Add", terms.collect::<Vec<_>>(), |bench, it| {
+                bench.edit(|d| d.add(&it));
+            })
         }
         31 | 32 => deed(
             "Switch",
             (random.random_range(0..3), random.random()),
-            |bench, it| bench.switch(it.0, it.1),
+            |bench, it| bench.edit(|d| d.switch(it.0, it.1)),
         ),
         33 | 34 => deed(
             "IdentifyBy",
@@ -583,7 +580,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             deed("Prepare", (), |bench, ()| bench.prepare_again())
         }
         158 => deed("CopyNumbers", chart(random), |bench, it| {
-            bench.copy_numbers(it);
+            bench.copy_numbers(it, drop);
         }),
         _ => {
             // A session beside which models and regions make sense again.

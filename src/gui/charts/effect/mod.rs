@@ -4,20 +4,19 @@ mod curve;
 
 use std::sync::Arc;
 
-use crate::gui::cache::{Work, WorkKey};
 use crate::gui::charts::{
     About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown,
 };
-use crate::gui::core::answer::{Search, terms};
-use crate::gui::core::loaded_session::Component;
 use crate::gui::core::overview::{FEW, stride, thinned};
 use crate::gui::core::quantity::Scale;
+use crate::gui::core::search::{Search, terms};
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::present::chart::{
     Axis, Chart, ColourRole, Entry, Form, Item, LEAST_SPAN, LegendSymbol, Mark,
 };
 use crate::present::table::{Cell, Table};
+use crate::present::units::Units;
 use crate::text::{spoken, within};
 
 pub(crate) use curve::{EffectCurve, EffectSample, strongest};
@@ -33,22 +32,16 @@ const FOR_SKETCHES: usize = 20_000;
 /// The curves of all effects that were found, each in the component that it has most of: small, on their cards.
 pub(crate) type Sketches = Vec<Option<EffectCurve>>;
 
-/// What the background works out for them.
-pub(crate) fn sketches(search: &Arc<Search>) -> Work {
-    let search = Arc::clone(search);
-    let key = vec![Arc::as_ptr(&search).addr()];
-    let key = WorkKey::Chart("effects on cards", Component::Length, key);
-    Work::new(key, move |given| -> Sketches {
-        let session = &*given.loaded_session;
-        let found = search.answer.as_ref().ok();
-        let found = found.filter(|_| session.overview.usable.len() <= FOR_SKETCHES);
-        let curve = |d, index| {
-            let component = strongest(session, d, index)?;
-            EffectCurve::of(session, &search, index, component)
-        };
-        let curves = found.map(|d| (0..d.found.len()).map(|index| curve(d, index)).collect());
-        curves.unwrap_or_default()
-    })
+pub(crate) fn sketches(search: &Search) -> Sketches {
+    let session = &*search.loaded_session;
+    let found = search.answer.as_ref().ok();
+    let found = found.filter(|_| session.overview.usable.len() <= FOR_SKETCHES);
+    let curve = |d, index| {
+        let component = strongest(session, d, index)?;
+        EffectCurve::of(session, search, index, component)
+    };
+    let curves = found.map(|d| (0..d.found.len()).map(|index| curve(d, index)).collect());
+    curves.unwrap_or_default()
 }
 
 impl ChartKind for Effect {
@@ -63,30 +56,19 @@ impl ChartKind for Effect {
         scene.step == Step::Gap && chosen
     }
 
-    fn work(&self, scene: &Scene) -> Option<Work> {
-        let (search, index) = (Arc::clone(scene.search.as_ref()?), scene.effect);
-        // The closure keeps the search: no other one stands where it does.
-        let key = vec![Arc::as_ptr(&search).addr(), index];
-        let component = scene.component;
-        Some(Work::new(
-            WorkKey::Chart(ID, component, key),
-            move |given| EffectCurve::of(&given.loaded_session, &search, index, component),
-        ))
-    }
-
-    fn show<'a>(&self, scene: &'a Scene) -> Result<Shown<'a>, ChartPlaceholder> {
+    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
         let curve = curve(scene)?;
         Ok(Shown {
-            chart: drawn(scene, curve),
+            chart: drawn(scene, &curve),
             name: say!(
                 "curve of {curve}, {component}",
-                curve = name(curve),
+                curve = name(&curve),
                 component = scene.component.name()
             ),
-            description: describe(scene, curve),
+            description: describe(scene, &curve),
             pointed: HoverTarget::Samples(Box::new(Drawn {
-                scale: scale(scene, curve),
-                scene,
+                scale: scale(scene, &curve),
+                units: scene.units,
                 curve,
             })),
         })
@@ -98,7 +80,7 @@ impl ChartKind for Effect {
             return Table::default();
         };
         let (loaded_session, component) = (&scene.loaded_session, scene.component.name());
-        let (along, what) = (curve.over.heading(loaded_session), name(curve));
+        let (along, what) = (curve.over.heading(loaded_session), name(&curve));
         let [without, of] =
             ["without", "of"].map(|which| format!("{component} {which} {what}, mm"));
         let mut table = Table::new(["sample", &along, "side", &without, &of]);
@@ -112,9 +94,10 @@ impl ChartKind for Effect {
     }
 }
 
-fn curve(scene: &Scene) -> Result<&EffectCurve, ChartPlaceholder> {
-    let found: &Option<EffectCurve> = scene.found().ok_or_else(ChartPlaceholder::yet)?;
-    let there = found.as_ref().filter(|curve| !curve.spots.is_empty());
+fn curve(scene: &Scene) -> Result<EffectCurve, ChartPlaceholder> {
+    let (session, search) = (&scene.loaded_session, scene.search.as_ref());
+    let found = search.and_then(|s| EffectCurve::of(session, s, scene.effect, scene.component));
+    let there = found.filter(|curve| !curve.spots.is_empty());
     there.ok_or(ChartPlaceholder::new(
         say!("There is no curve to show"),
         say!("Run the diagnosis again: what was found belongs to other samples"),
@@ -122,15 +105,15 @@ fn curve(scene: &Scene) -> Result<&EffectCurve, ChartPlaceholder> {
 }
 
 /// What the pointer finds.
-struct Drawn<'a> {
-    scene: &'a Scene,
-    curve: &'a EffectCurve,
+struct Drawn {
+    units: Units,
+    curve: EffectCurve,
     scale: Scale,
 }
 
-impl Samples for Drawn<'_> {
+impl Samples for Drawn {
     fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
-        let units = self.scene.units;
+        let units = self.units;
         let at = |spot: &EffectSample| {
             [
                 self.scale.shown(spot.x),
@@ -141,7 +124,7 @@ impl Samples for Drawn<'_> {
     }
 
     fn near(&self, _: [f64; 2], _: [f64; 2]) -> Vec<usize> {
-        some(self.curve).map(|spot| spot.sample).collect()
+        some(&self.curve).map(|spot| spot.sample).collect()
     }
 }
 

@@ -6,7 +6,7 @@ use egui::{ComboBox, Grid, RichText, ScrollArea, Ui};
 
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::style::{Palette, size, strong};
-use crate::gui::widgets;
+use crate::gui::widgets::{self, Words};
 use crate::importers::{ColumnGuess, Importer, Known, Meanings};
 
 /// Rows that are shown.
@@ -89,10 +89,9 @@ pub(super) fn show(ui: &mut Ui, draft: &mut ImportDraft) {
     if found.columns.is_empty() {
         return;
     }
-    widgets::section(
-        ui,
-        say!("Columns: what each is, how that is known, its heading, first rows"),
-    );
+    ui.section(say!(
+        "Columns: what each is, how that is known, its heading, first rows"
+    ));
     let robot = seen.robot.as_ref().and_then(|r| r.as_ref().ok());
     let joints = robot.map_or(JOINTS, crate::kinematics::Robot::joint_count);
     let offered = meanings(found.kind, joints);
@@ -103,13 +102,9 @@ pub(super) fn show(ui: &mut Ui, draft: &mut ImportDraft) {
     }
     if !found.preamble.is_empty() {
         let lines: Vec<&str> = found.preamble.iter().map(String::as_str).take(3).collect();
-        widgets::hint(
-            ui,
-            say!("Before the table: {lines}", lines = lines.join(" / ")),
-        );
+        ui.hint(say!("Before the table: {lines}", lines = lines.join(" / ")));
     }
     if found.questions.is_empty() && draft.asks_for_confirmation() {
-        let palette = Palette::of(ui);
         widgets::card(ui, |ui| {
             let guesses = found.columns.iter().filter(|c| c.is_guess()).count();
             let says = say!(
@@ -117,7 +112,7 @@ pub(super) fn show(ui: &mut Ui, draft: &mut ImportDraft) {
                 count = guesses,
                 columns = found.columns.len()
             );
-            ui.label(RichText::new(says).color(palette.warning));
+            ui.colored_label(Palette::of(ui).warning, says);
             if ui.button(say!("The columns are right")).clicked() {
                 draft.confirm();
             }
@@ -132,16 +127,11 @@ fn in_words(kind: Option<&Importer>, columns: &[ColumnGuess], before: &[String])
     let own_words = matches!(columns_of, Some(Meanings::Own(_)));
     let word = |(k, guess): (usize, &ColumnGuess)| match (guess.confidence, guess.heading.as_str())
     {
-        (Known::Said, _) => {
-            let before = before.get(k).cloned();
-            before.unwrap_or_else(|| guess.meaning.clone())
-        }
+        (Known::Said, _) => before.get(k).unwrap_or(&guess.meaning).clone(),
         (_, "") if matches!(guess.meaning.as_str(), "" | "-") => "-".to_owned(),
         // Such a file's headings are its words.
-        (_, heading) if own_words => match heading {
-            "" => guess.meaning.clone(),
-            heading => heading.to_owned(),
-        },
+        (_, "") if own_words => guess.meaning.clone(),
+        (_, heading) if own_words => heading.to_owned(),
         // A heading may say more than a word can: a time in ms, a length in cm.
         _ => "auto".to_owned(),
     };
@@ -150,8 +140,7 @@ fn in_words(kind: Option<&Importer>, columns: &[ColumnGuess], before: &[String])
 
 fn table(ui: &mut Ui, now: &ImportDraft, offered: &[Meaning]) -> Option<(usize, String)> {
     let found = &now.seen.inspection;
-    let palette = Palette::of(ui);
-    let mut changed = None;
+    let (mut changed, warning) = (None, Palette::of(ui).warning);
     let fixed = found
         .kind
         .is_some_and(|importer| importer.asks.columns == Meanings::Fixed);
@@ -172,10 +161,8 @@ fn table(ui: &mut Ui, now: &ImportDraft, offered: &[Meaning]) -> Option<(usize, 
                     ui.label(text);
                     continue;
                 }
-                let list = ComboBox::from_id_salt(("meaning", k))
-                    .width(118.0)
-                    .height(320.0)
-                    .selected_text(text);
+                let list = ComboBox::from_id_salt(("meaning", k)).selected_text(text);
+                let list = list.width(118.0).height(320.0);
                 let label = say!("Meaning of column {k}", k = k + 1);
                 let offered = offered.iter().map(|one| (one.word.as_str(), &one.text));
                 let chosen = widgets::list(ui, label, list, offered, guess.meaning.as_str());
@@ -186,12 +173,13 @@ fn table(ui: &mut Ui, now: &ImportDraft, offered: &[Meaning]) -> Option<(usize, 
             ui.end_row();
             widgets::dense(ui);
             for guess in &found.columns {
-                let color = if guess.is_guess() && now.asks_for_confirmation() {
-                    palette.warning
+                let how = RichText::new(how(guess)).small();
+                let asked = guess.is_guess() && now.asks_for_confirmation();
+                ui.label(if asked {
+                    how.color(warning)
                 } else {
-                    palette.muted
-                };
-                ui.label(RichText::new(how(guess)).size(size::SMALL).color(color));
+                    how.weak()
+                });
             }
             ui.end_row();
             if found.columns.iter().any(|c| !c.heading.is_empty()) {
@@ -202,8 +190,7 @@ fn table(ui: &mut Ui, now: &ImportDraft, offered: &[Meaning]) -> Option<(usize, 
             }
             for cells in found.first_rows.iter().take(ROWS) {
                 for k in 0..found.columns.len() {
-                    let cell = cells.get(k).map_or("", String::as_str);
-                    ui.label(RichText::new(cell).size(size::SMALL).color(palette.muted));
+                    ui.caption(cells.get(k).map_or("", String::as_str));
                 }
                 ui.end_row();
             }

@@ -4,14 +4,14 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
+use egui::{Button, ComboBox, DragValue, Link, RichText, TextEdit, Ui};
 
 use crate::explain::Block;
 use crate::gui::core::disk::name_of;
 use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft, in_the_sheets_words};
-use crate::gui::style::{Palette, size, space};
+use crate::gui::style::{Palette, space};
 use crate::gui::views::blocks;
-use crate::gui::widgets::{self, Does};
+use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::importers::{
     About, Alignment, AngleUnit, Decimal, EULER, IMPORTERS, Importer, LengthUnit, Matching,
@@ -50,15 +50,14 @@ const OPTION: f32 = 300.0;
 pub(super) fn show(ui: &mut Ui, draft: &mut ImportDraft) {
     let ImportDraft { answers, seen, .. } = draft;
     let found = &seen.inspection;
-    widgets::form_row(ui, say!("Session"), |ui| {
+    ui.form_row(say!("Session"), |ui| {
         let field = TextEdit::singleline(&mut answers.name).desired_width(OPTION);
-        let field = ui.add(field);
-        widgets::label(&field, say!("Name of the session"));
+        ui.named(say!("Name of the session"), field);
     });
     let reading = &mut answers.reading;
     let kind = reading.kind.or(found.kind);
     let asks = kind.map_or(Questions::TABLE, |importer| importer.asks);
-    widgets::form_row(ui, say!("Source"), |ui| {
+    ui.form_row(say!("Source"), |ui| {
         let title = |importer: &Importer| spoken(importer.title);
         let width = SOURCE.min(ui.available_width());
         let list = ComboBox::from_id_salt("what wrote it").width(width);
@@ -77,24 +76,13 @@ pub(super) fn show(ui: &mut Ui, draft: &mut ImportDraft) {
             (Some(Separator::Tab), say!("tabs")),
             (Some(Separator::Spaces), say!("spaces")),
         ];
-        let found_separator = found.separator;
-        one_of(
-            ui,
-            say!("Separated by"),
-            &separators,
-            &mut reading.separator,
-            found_separator,
-        );
+        let said = (&mut reading.separator, found.separator);
+        one_of(ui, say!("Separated by"), &separators, said);
         header(ui, found.header_line, &mut reading.header);
     }
     let signs = [(Some(Decimal::Point), "1.5"), (Some(Decimal::Comma), "1,5")];
-    one_of(
-        ui,
-        say!("Decimal sign"),
-        &signs,
-        &mut reading.decimal,
-        found.decimal,
-    );
+    let said = (&mut reading.decimal, found.decimal);
+    one_of(ui, say!("Decimal sign"), &signs, said);
     let units = [
         (None, say!("as the headings say")),
         (Some(AngleUnit::Degrees), say!("degrees")),
@@ -102,29 +90,26 @@ pub(super) fn show(ui: &mut Ui, draft: &mut ImportDraft) {
         (Some(AngleUnit::Gradians), "gon"),
         (Some(AngleUnit::Revolutions), say!("revolutions")),
     ];
-    widgets::choice_row(ui, say!("Angles in"), &units, &mut reading.angle_unit);
+    ui.choice_row(say!("Angles in"), &units, &mut reading.angle_unit);
     let units = [
         (None, say!("as the file says")),
         (Some(LengthUnit::Millimetres), "mm"),
         (Some(LengthUnit::Metres), "m"),
         (Some(LengthUnit::Inches), say!("inches")),
     ];
-    widgets::choice_row(ui, say!("Lengths in"), &units, &mut reading.unit);
+    ui.choice_row(say!("Lengths in"), &units, &mut reading.unit);
     if asks.y_up || reading.z_up {
-        ui.checkbox(
-            &mut reading.z_up,
-            say!("y points up: turn it so that z does"),
-        );
+        let says = say!("y points up: turn it so that z does");
+        ui.checkbox(&mut reading.z_up, says);
     }
     if asks.names {
         names(ui, &found.names, &mut reading.names);
     }
     if asks.joint {
-        let mut joint = reading.joint as u64 + 1;
+        let mut joint = reading.joint + 1;
         let field = DragValue::new(&mut joint).range(1..=64);
-        if widgets::number(ui, say!("Joint measured"), "", field).changed() {
-            reading.joint = usize::try_from(joint).map_or(0, |joint| joint.saturating_sub(1));
-        }
+        ui.number(say!("Joint measured"), "", field);
+        reading.joint = joint - 1;
     }
     own_options(ui, kind, reading);
 }
@@ -134,11 +119,10 @@ fn one_of<T: Copy + PartialEq>(
     ui: &mut Ui,
     name: &str,
     offered: &[(Option<T>, &str)],
-    said: &mut Option<T>,
-    found: Option<T>,
+    (said, found): (&mut Option<T>, Option<T>),
 ) {
-    widgets::form_row(ui, name, |ui| {
-        if let Some(chosen) = widgets::segmented(ui, offered, said.or(found)) {
+    ui.form_row(name, |ui| {
+        if let Some(chosen) = ui.segmented(offered, said.or(found)) {
             *said = chosen;
         }
     });
@@ -161,7 +145,7 @@ fn own_options(ui: &mut Ui, kind: Option<&Importer>, reading: &mut Reading) {
     // Of several few are needed: below them the columns, which always are, would be out of sight.
     if own.len() > FEW_OPTIONS {
         let title = say!("More options of this kind of file");
-        widgets::folded(ui, title, size::SMALL, all);
+        ui.folded(title, all);
     } else {
         all(ui);
     }
@@ -171,21 +155,20 @@ fn own_options(ui: &mut Ui, kind: Option<&Importer>, reading: &mut Reading) {
 fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str, String>) {
     let title = spoken(option.title);
     let mut value = given.get(option.name).cloned().unwrap_or_default();
-    widgets::form_row(ui, &title, |ui| {
+    ui.form_row(&title, |ui| {
         if option.values.is_empty() {
             let field = TextEdit::singleline(&mut value).desired_width(OPTION);
-            let field = ui.add(field);
-            widgets::label(&field, title.as_str());
+            ui.named(title.as_str(), field);
             return;
         }
         let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
         let said = option.values.iter().copied().find(|v| *v == value);
-        if let Some(chosen) = widgets::segmented(ui, &ways, said.unwrap_or_default()) {
+        if let Some(chosen) = ui.segmented(&ways, said.unwrap_or_default()) {
             chosen.clone_into(&mut value);
         }
     });
     if option.values.is_empty() {
-        widgets::hint(ui, spoken(option.help));
+        ui.hint(spoken(option.help));
     }
     if value.trim().is_empty() {
         given.remove(option.name);
@@ -194,43 +177,27 @@ fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str
     }
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Header {
-    Found,
-    None,
-    Line,
-}
-
 /// Where the header is: as it was found, nowhere, or in a line.
 fn header(ui: &mut Ui, found: Option<u64>, header: &mut Option<u64>) {
-    let now = match header {
-        None => Header::Found,
-        Some(0) => Header::None,
-        Some(_) => Header::Line,
-    };
+    let line = found.unwrap_or(1);
     let ways = [
-        (Header::Found, say!("as found")),
-        (Header::None, say!("none")),
-        (Header::Line, say!("in line")),
+        (None, say!("as found")),
+        (Some(0), say!("none")),
+        (Some(line), say!("in line")),
     ];
-    widgets::form_row(ui, say!("Header"), |ui| {
-        if let Some(chosen) = widgets::segmented(ui, &ways, now) {
-            *header = match chosen {
-                Header::Found => None,
-                Header::None => Some(0),
-                Header::Line => Some(found.unwrap_or(1)),
-            };
-        }
+    ui.form_row(say!("Header"), |ui| {
+        let now = header.map(|own| if own == 0 { 0 } else { line });
+        *header = ui.segmented(&ways, now).unwrap_or(*header);
         if let Some(line @ 1..) = header {
             let field = DragValue::new(line).range(1..=1_000_000);
-            widgets::cell_number(ui, say!("Line of the header"), "", 64.0, field);
+            ui.cell_number(say!("Line of the header"), "", 64.0, field);
         }
     });
 }
 
 /// Rigid bodies or markers to take.
 fn names(ui: &mut Ui, offered: &[String], taken: &mut Vec<String>) {
-    widgets::form_row(ui, say!("Take"), |ui| {
+    ui.form_row(say!("Take"), |ui| {
         ui.horizontal_wrapped(|ui| {
             for name in offered {
                 let mut on = taken.contains(name);
@@ -253,11 +220,10 @@ pub(super) fn questions(ui: &mut Ui, draft: &mut ImportDraft) {
 }
 
 fn ask(ui: &mut Ui, question: &Question, reading: &mut Reading) {
-    let palette = Palette::of(ui);
-    let says = RichText::new(in_the_sheets_words(&spoken(&question.text))).color(palette.warning);
-    ui.add(egui::Label::new(says).wrap());
+    let says = in_the_sheets_words(&spoken(&question.text));
+    ui.colored_label(Palette::of(ui).warning, says);
     if question.answers.is_empty() {
-        widgets::hint(ui, say!("Choose it in the table above"));
+        ui.hint(say!("Choose it in the table above"));
         return;
     }
     ui.horizontal_wrapped(|ui| {
@@ -275,11 +241,8 @@ fn answered(reading: &mut Reading, about: About, answer: &str) {
         About::AngleUnit => reading.angle_unit = AngleUnit::of(answer),
         About::TimeUnit => reading.time_unit = TimeUnit::of(answer),
         About::Decimal => {
-            reading.decimal = Some(if answer == "," {
-                Decimal::Comma
-            } else {
-                Decimal::Point
-            });
+            let comma = Some(Decimal::Comma).filter(|_| answer == ",");
+            reading.decimal = comma.or(Some(Decimal::Point));
         }
         About::Name => reading.names = vec![answer.to_owned()],
         About::Own(name) => {
@@ -293,10 +256,7 @@ fn answered(reading: &mut Reading, about: About, answer: &str) {
 
 /// Where the robot was sent.
 pub(super) fn commanded(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workbench) {
-    widgets::section(
-        ui,
-        say!("Commanded positions, if the table does not have them"),
-    );
+    ui.section(say!("Commanded positions, if the table does not have them"));
     let field = (
         say!("File of the commands"),
         say!("a table with q1_deg, … and perhaps name, time_s, dir1, load_kg"),
@@ -316,23 +276,23 @@ pub(super) fn commanded(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workbe
     let offset = matched.and_then(|matched| matched.clock);
     let offset = offset.map_or(0.0, |clock| clock.offset_s);
     let answers = &mut draft.answers;
-    one_of(ui, say!("Matched"), &ways, &mut answers.matching, found);
+    one_of(ui, say!("Matched"), &ways, (&mut answers.matching, found));
     if answers.matching != Some(Matching::Time) {
         return;
     }
-    widgets::form_row(ui, say!("Clocks apart by"), |ui| {
+    ui.form_row(say!("Clocks apart by"), |ui| {
         let ways = [
             (true, say!("found from the motion")),
             (false, say!("typed")),
         ];
         let found = answers.clock_offset_s.is_none();
-        if let Some(found) = widgets::segmented(ui, &ways, found) {
+        if let Some(found) = ui.segmented(&ways, found) {
             answers.clock_offset_s = (!found).then_some(offset);
         }
         if let Some(offset) = &mut answers.clock_offset_s {
             let name = say!("Seconds to add to a measured time");
             let field = DragValue::new(offset).speed(0.01).max_decimals(6);
-            widgets::cell_number(ui, name, "s", 110.0, field.suffix(" s"));
+            ui.cell_number(name, "s", 110.0, field.suffix(" s"));
         }
     });
 }
@@ -352,10 +312,9 @@ pub(super) fn order_of_rows(ui: &mut Ui, answers: &mut ImportAnswers) {
 
 /// Points that bring the instrument's frame into the base frame.
 pub(super) fn base_frame(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workbench) {
-    widgets::section(
-        ui,
-        say!("Reference points (base frame), if the instrument has a frame of its own"),
-    );
+    ui.section(say!(
+        "Reference points (base frame), if the instrument has a frame of its own"
+    ));
     let field = (
         say!("File of the known points"),
         say!("a table with name, x_mm, y_mm, z_mm; the same names as in the measured file"),
@@ -376,47 +335,36 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
     const MOST: usize = 60;
     let left_out = alignment.outliers().count();
     if left_out > 0 {
-        let says = say!(
+        ui.hint(say!(
             "{left_out} excluded: measured or surveyed wrongly, or moved since",
             left_out
-        );
-        widgets::hint(ui, says);
+        ));
     }
     if (alignment.scale - 1.0).abs() > 0.0 {
         let ppm = 1e6 * (alignment.scale - 1.0);
-        widgets::hint(
-            ui,
-            say!(
-                "scaled by {scale} ({ppm} ppm)",
-                scale = format!("{:.6}", alignment.scale),
-                ppm = format!("{ppm:+.1}")
-            ),
-        );
+        ui.hint(say!(
+            "scaled by {scale} ({ppm} ppm)",
+            scale = format!("{:.6}", alignment.scale),
+            ppm = format!("{ppm:+.1}")
+        ));
     }
-    let mut table = Table::of([
-        Column::words(say!("point")),
-        Column::numbers(say!("residual, mm")),
-        Column::numbers(say!("in x")),
-        Column::numbers(say!("in y")),
-        Column::numbers(say!("in z")),
-        Column::words(""),
-    ]);
+    let heads = [
+        say!("residual, mm"),
+        say!("in x"),
+        say!("in y"),
+        say!("in z"),
+    ];
+    let mut columns = vec![Column::words(say!("point"))];
+    columns.extend(heads.map(Column::numbers));
+    columns.push(Column::words(""));
+    let mut table = Table::of(columns);
     for residual in alignment.residuals.iter().take(MOST) {
         let v = residual.vector_mm;
         let number = |mm: f64| Cell::number(Some(mm), |mm| format!("{mm:.4}"));
-        let word = if residual.is_outlier {
-            say!("excluded")
-        } else {
-            ""
-        };
-        table.row([
-            residual.name.as_str().into(),
-            number(v.norm()),
-            number(v.x),
-            number(v.y),
-            number(v.z),
-            word.into(),
-        ]);
+        let mut cells = vec![Cell::from(residual.name.as_str())];
+        cells.extend([v.norm(), v.x, v.y, v.z].map(number));
+        cells.push(residual.is_outlier.then(|| say!("excluded")).into());
+        table.row(cells);
     }
     blocks::show(ui, &[Block::Table(table)]);
 }
@@ -428,10 +376,7 @@ pub(super) fn reflectors(
     draft: &mut ImportDraft,
     workbench: &Workbench,
 ) {
-    widgets::section(
-        ui,
-        say!("Reflectors in the tool frame, if there are several"),
-    );
+    ui.section(say!("Reflectors in the tool frame, if there are several"));
     let field = (
         say!("File of the reflectors"),
         say!("a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin"),
@@ -463,32 +408,28 @@ pub(super) fn path(
 ) {
     let mut typed = draft.answers.path_of(which).to_owned();
     let row = egui::Layout::right_to_left(egui::Align::Center);
-    ui.allocate_ui_with_layout(
-        egui::vec2(ui.available_width(), space::CONTROL),
-        row,
-        |ui| {
-            let button = ui.button(say!("Choose…"));
-            widgets::label(&button, say!("Choose: {label}", label));
-            button.does(workbench, move |bench| bench.choose_beside(which));
-            let field = TextEdit::singleline(&mut typed).hint_text(hint);
-            let field = ui.add_sized([ui.available_width(), space::CONTROL], field);
-            widgets::label(&field, label);
-        },
-    );
+    let room = egui::vec2(ui.available_width(), space::CONTROL);
+    ui.allocate_ui_with_layout(room, row, |ui| {
+        let button = ui.named(say!("Choose: {label}", label), Button::new(say!("Choose…")));
+        button.does(workbench, move |bench| bench.choose_beside(which));
+        let field = TextEdit::singleline(&mut typed).hint_text(hint);
+        let field = ui.add_sized([ui.available_width(), space::CONTROL], field);
+        widgets::label(&field, label);
+    });
     let is_typed = |(of, path): &(Companion, PathBuf)| {
         *of == which && path.as_path() == Path::new(typed.as_str())
     };
     if draft.taken.iter().any(is_typed) {
-        widgets::hint(ui, say!("Taken because its name is that of the file"));
+        ui.hint(say!("Taken because its name is that of the file"));
     }
     let none = typed.trim().is_empty();
     ui.horizontal_wrapped(|ui| {
         for path in draft.neighbours.suiting(which).filter(|_| none) {
             let file = name_of(path);
             let text = say!("Use {file} from the same folder", file);
-            let link = ui.link(RichText::new(text).size(size::SMALL));
-            widgets::label(&link, say!("Use {file}: {label}", file, label));
-            if link.clicked() {
+            let link = Link::new(RichText::new(text).small());
+            let name = say!("Use {file}: {label}", file, label);
+            if ui.named(name, link).clicked() {
                 typed = path.display().to_string();
             }
         }

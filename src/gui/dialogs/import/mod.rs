@@ -7,7 +7,7 @@ mod file;
 
 use std::sync::Arc;
 
-use egui::{Key, Label, ProgressBar, RadioButton, Response, RichText, ScrollArea, TextEdit, Ui};
+use egui::{Key, Label, ProgressBar, RadioButton, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::diagnostic::Severity;
 use crate::kinematics::{JointKind, Robot};
@@ -18,11 +18,11 @@ use crate::text::{length, spoken};
 use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::robot_table::RobotTable;
 use crate::gui::import_draft::{
-    Companion, ImportDraft, InspectedDraft, LOOKING, RobotFrom, Trial, in_the_windows_words,
+    Companion, ImportDraft, InspectedDraft, LOOKING, RobotFrom, in_the_windows_words,
 };
 use crate::gui::style::{Palette, size, space};
 use crate::gui::views::blocks;
-use crate::gui::widgets::{self, Does};
+use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 
 use super::robots::{self, Robot as ListedRobot};
@@ -41,8 +41,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) 
     let window = ui.ctx().content_rect();
     widgets::wide(ui, WIDTH);
     let name = name_of(&draft.path);
-    widgets::heading(ui, &say!("Import {name}", name));
-    widgets::hint(ui, file::found_out(draft));
+    ui.heading(say!("Import {name}", name));
+    ui.hint(file::found_out(draft));
     let (seen, asked) = (Arc::clone(&draft.seen), draft.answers.clone());
     let height = (window.height() - AROUND).max(LEAST);
     // Another file begins at its head.
@@ -74,8 +74,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) 
         missing.as_deref(),
     );
     let ready = missing.is_none();
-    if widgets::sheet_buttons_without_enter(ui, say!("Import"), ready, workbench) {
-        workbench.then(Workbench::import);
+    match ui.foot([(say!("Cancel"), true), (say!("Import"), ready)]) {
+        Some(0) => workbench.then(|bench| bench.show_sheet(None)),
+        Some(_) => workbench.then(Workbench::import),
+        None => {}
     }
 }
 
@@ -83,7 +85,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) 
 fn foot(ui: &mut Ui, workbench: &Workbench, cancelled: bool, missing: Option<&str>) {
     ui.horizontal(|ui| {
         if let Some(running) = workbench.looking() {
-            widgets::hint(ui, spoken(LOOKING));
+            ui.hint(spoken(LOOKING));
             if let Some(part) = running.progress() {
                 let bar = ProgressBar::new(part).desired_width(120.0);
                 ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
@@ -92,12 +94,11 @@ fn foot(ui: &mut Ui, workbench: &Workbench, cancelled: bool, missing: Option<&st
                 .does(workbench, Workbench::cancel_look);
             widgets::look_again_soon(ui);
         } else if cancelled {
-            widgets::hint(ui, say!("Looking at the file was cancelled"));
+            ui.hint(say!("Looking at the file was cancelled"));
             ui.button(say!("Look again"))
                 .does(workbench, Workbench::keep_looking);
         } else if let Some(missing) = missing {
-            let text = RichText::new(missing).size(size::NOTE);
-            let text = text.color(Palette::of(ui).muted);
+            let text = RichText::new(missing).size(size::NOTE).weak();
             ui.add(Label::new(text).truncate()).on_hover_text(missing);
         }
     });
@@ -108,21 +109,16 @@ const MOST: usize = 8;
 
 /// What the import would bring or why it is refused, once there is nothing left to ask.
 fn result(ui: &mut Ui, seen: &InspectedDraft, units: Units) {
-    match &seen.trial {
-        None => {}
-        Some(Ok(trial)) => brings(ui, trial, units),
+    let trial = match &seen.trial {
+        None => return,
+        Some(Ok(trial)) => trial,
         Some(Err(because)) => {
-            widgets::section(ui, say!("To fix"));
-            for says in because {
-                line(ui, Severity::Error, says);
-            }
+            ui.section(say!("To fix"));
+            return errors(ui, because);
         }
-    }
-}
-
-fn brings(ui: &mut Ui, trial: &Trial, units: Units) {
+    };
     let section = trial.brings(units);
-    widgets::section(ui, &section.title);
+    ui.section(&section.title);
     blocks::show(ui, &section.blocks);
     let mut notes: Vec<_> = trial.notes.iter().collect();
     notes.sort_by_key(|(severity, _)| std::cmp::Reverse(*severity == Severity::Warning));
@@ -133,7 +129,7 @@ fn brings(ui: &mut Ui, trial: &Trial, units: Units) {
 
 /// Whose robot was measured.
 fn robot(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
-    widgets::section(ui, say!("Robot model"));
+    ui.section(say!("Robot model"));
     let choose = |ui: &mut Ui, draft: &mut ImportDraft, one: RobotFrom, text: &str| {
         let chosen = draft.answers.robot.is_like(&one);
         if ui.radio(chosen, text).clicked() && !chosen {
@@ -159,10 +155,8 @@ fn robot(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
             (say!("Base"), say!("Link of the base"), base),
             (say!("Tip"), say!("Link of the tool"), tip),
         ] {
-            widgets::form_row(ui, row, |ui| {
-                let field = ui.add(TextEdit::singleline(link).hint_text(say!("name of a link")));
-                widgets::label(&field, label);
-            });
+            let field = TextEdit::singleline(link).hint_text(say!("name of a link"));
+            ui.form_row(row, |ui| drop(ui.named(label, field)));
         }
     }
     let typed = RobotFrom::Typed(Box::new(RobotTable::one_axis()));
@@ -176,12 +170,14 @@ fn robot(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
     }
     match &draft.seen.robot {
         None => {}
-        Some(Ok(robot)) => widgets::hint(ui, in_words(robot)),
-        Some(Err(because)) => {
-            for says in because {
-                line(ui, Severity::Error, says);
-            }
-        }
+        Some(Ok(robot)) => ui.hint(in_words(robot)),
+        Some(Err(because)) => errors(ui, because),
+    }
+}
+
+fn errors(ui: &mut Ui, because: &[String]) {
+    for says in because {
+        line(ui, Severity::Error, says);
     }
 }
 
@@ -201,9 +197,7 @@ fn listed(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
         let radio = RadioButton::new(chosen, say!("one of the library"));
         ui.add_enabled(chosen, radio);
         let field = TextEdit::singleline(search).hint_text(robots::examples());
-        let field = ui.add(field.desired_width(LIST));
-        widgets::label(&field, say!("Find a robot"));
-        field
+        ui.named(say!("Find a robot"), field.desired_width(LIST))
     });
     let field = field.inner;
     if field.gained_focus() {
@@ -228,8 +222,8 @@ fn listed(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
             }
         }
         match found.len().checked_sub(OFFERED) {
-            _ if found.is_empty() => widgets::hint(ui, say!("No robot has this name")),
-            Some(more @ 1..) => widgets::hint(ui, say!("and {more} more", more)),
+            _ if found.is_empty() => ui.hint(say!("No robot has this name")),
+            Some(more @ 1..) => ui.hint(say!("and {more} more", more)),
             _ => {}
         }
     });
@@ -258,13 +252,12 @@ fn in_words(robot: &Robot) -> String {
 }
 
 /// A finding as a line; its kind is a word as well as a colour.
-fn line(ui: &mut Ui, severity: Severity, says: &str) -> Response {
+fn line(ui: &mut Ui, severity: Severity, says: &str) {
     let palette = Palette::of(ui);
     let (text, color) = match severity {
         Severity::Note => (says.to_owned(), palette.muted),
         Severity::Warning => (say!("Warning: {says}", says), palette.warning),
         Severity::Error => (say!("Error: {says}", says), palette.outside),
     };
-    let text = RichText::new(text);
-    ui.add(Label::new(text.size(size::SMALL).color(color)).wrap())
+    ui.label(RichText::new(text).small().color(color));
 }

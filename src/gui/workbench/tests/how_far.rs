@@ -161,9 +161,7 @@ fn a_session_that_is_saved_says_how_far_it_is_and_cancelled_the_old_file_stays()
     bench.execute(|bench| bench.go(NextAction::Example(1)));
     until(&mut bench, idle);
     bench.execute(|bench| {
-        bench.edit(phrase!("divide into regions"), |document| {
-            document.divide(3)
-        });
+        bench.edit(|document| document.divide(3));
     });
     until(&mut bench, idle);
     assert!(bench.unsaved());

@@ -239,9 +239,7 @@ fn an_export_while_the_answer_is_worked_out_anew_says_so_or_writes_what_is_shown
     bench.execute(|bench| bench.export_as(What::Table, path.clone(), false));
     // Another answer is asked for while the table is written.
     bench.execute(|bench| {
-        bench.edit(phrase!("choose effects"), |document| {
-            document.choose_effect("backlash", false)
-        });
+        bench.edit(|document| document.choose_effect("backlash", false));
     });
     until(&mut bench, idle);
     assert!(path.exists());
@@ -269,7 +267,7 @@ fn what_a_dialog_was_opened_for_is_written_whatever_is_open_by_then() {
         let path = folder.path().join(name);
         let (go, wait) = gate();
         let (wait, chosen) = (Mutex::new(wait), path.clone());
-        bench.choose_by(Arc::new(move || {
+        bench.chooser = Some(Arc::new(move || {
             let _ = wait.lock().ok()?.recv();
             Some(chosen.clone())
         }));
