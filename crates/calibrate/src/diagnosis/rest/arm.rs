@@ -161,6 +161,9 @@ mod tests {
         }
         assert!(farther > square + 10.0, "{square} {farther}");
         let [all, of_moved] = [&session, &moved].map(|session| with(session, None).1);
-        assert!(all.len() != of_moved.len() || of_moved[0] > 1.5 * all[0], "{all:?}");
+        assert!(
+            all.len() != of_moved.len() || of_moved[0] > 1.5 * all[0],
+            "{all:?}"
+        );
     }
 }

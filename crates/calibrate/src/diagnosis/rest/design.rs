@@ -23,7 +23,7 @@ use super::orders::{self, Residual};
 use super::products::Products;
 
 /// Into so many shares the poses are dealt, beside the cells.
-pub(super) const SHARES: usize = 5;
+pub(super) const SHARES: usize = 10;
 
 /// A longer session is thinned evenly to so many samples.
 const MOST_SAMPLES: usize = 1500;

@@ -3,9 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::answers::diagnosis::DataProblem;
-use crate::kinematics::JointKind;
 use crate::text::Text;
-use crate::units::deg_from_rad;
 
 use crate::diagnosis::candidates::{setting, shown};
 use crate::diagnosis::evidence::rival::Rival;
@@ -17,19 +15,12 @@ use crate::steps::{EQUAL, step_of};
 pub(crate) fn equal_steps(prepared: &PreparedSearch, rivals: &[Rival]) -> Option<DataProblem> {
     let term = rivals.first()?.removed.first()?;
     let joint = term.joint;
-    let kind = prepared.problem.session.robot.joints[joint].kind;
-    let steps = step_of(&prepared.regression.rows.inputs.q[joint]).map(|step| match kind {
-        JointKind::Prismatic => format!("{step:.3} mm"),
-        JointKind::Revolute => format!("{:.3}°", deg_from_rad(step)),
-    });
-    let settings = rivals
-        .iter()
-        .flat_map(crate::diagnosis::evidence::rival::Rival::other_settings)
-        .map(shown);
+    let steps = step_in_words(prepared, joint);
+    let settings = rivals.iter().flat_map(Rival::other_settings).map(shown);
     let settings: Vec<String> = settings.collect();
-    Some(DataProblem {
-        what: text!("equal steps"),
-        evidence: match steps {
+    Some(DataProblem::of_all(
+        text!("equal steps"),
+        match steps {
             Some(step) => text!(
                 "the values of joint {joint} are equal steps of {step}: {setting} looks the same as {others}, and the cross-validated error holds for these values alone",
                 joint = joint + 1,
@@ -44,30 +35,33 @@ pub(crate) fn equal_steps(prepared: &PreparedSearch, rivals: &[Rival]) -> Option
                 others = settings.join(", ")
             ),
         },
-        proposal: text!("measure the proposed poses, which are uneven steps"),
-        mend: None,
-        samples: Vec::new(),
-    })
+        text!("measure the proposed poses, which are uneven steps"),
+        None,
+    ))
 }
 
 /// What is said of waves that were withdrawn, as equal steps cannot tell them from slower ones.
 pub(crate) fn of_withdrawn(prepared: &PreparedSearch, withdrawn: &[Term]) -> Option<DataProblem> {
     let joint = withdrawn.first()?.joint;
-    let kind = prepared.problem.session.robot.joints[joint].kind;
-    let step = step_of(&prepared.regression.rows.inputs.q[joint])?;
-    let step = format!("{:.3}{}", kind.to_display(step), kind.sign());
-    Some(DataProblem {
-        what: text!("equal steps"),
-        evidence: text!(
+    let step = step_in_words(prepared, joint)?;
+    Some(DataProblem::of_all(
+        text!("equal steps"),
+        text!(
             "the values of joint {joint} are equal steps of {step}: a slower wave and {settings} are the same samples; the table follows the slower one, and between the steps nothing shows which is right",
             joint = joint + 1,
             step,
             settings = Text::listed(withdrawn.iter().map(setting), ", ")
         ),
-        proposal: text!("measure at uneven steps"),
-        mend: None,
-        samples: Vec::new(),
-    })
+        text!("measure at uneven steps"),
+        None,
+    ))
+}
+
+/// The step by which the values of a joint differ, where they are equal steps.
+fn step_in_words(prepared: &PreparedSearch, joint: usize) -> Option<String> {
+    let kind = prepared.problem.session.robot.joints[joint].kind;
+    let step = step_of(&prepared.regression.rows.inputs.q[joint])?;
+    Some(format!("{:.3}{}", kind.to_display(step), kind.sign()))
 }
 
 /// Orders of a gear that are listed.
@@ -85,7 +79,8 @@ pub(crate) fn orders_that_look_alike(
     let step = step_of(values)?;
     let steps = TAU / step;
     let whole = steps.round();
-    if (steps - whole).abs() > EQUAL || whole <= 2.0 * f64::from(own) || whole > 1e6 {
+    if (steps - whole).abs() > EQUAL || whole <= 2.0 * f64::from(own) || whole > f64::from(u16::MAX)
+    {
         return None;
     }
     let whole = whole as u32;

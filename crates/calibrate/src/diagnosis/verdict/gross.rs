@@ -39,7 +39,7 @@ pub(super) fn beyond_noise(
             ));
         }
     }
-    let of_angles = |unit: &str, rms: f64| unit == "mrad" && rms > 1e3 * GROSS_TURN_RAD;
+    let of_angles = |unit: &str, rms: f64| unit == "mrad" && rms / 1e3 > GROSS_TURN_RAD;
     identification.kinds.iter().find_map(|kind| {
         let rms = kind.fitted?.after_rms;
         of_angles(kind.unit, rms).then(|| {

@@ -25,8 +25,8 @@ use super::excess::{Excess, MOST_OVER_THE_FLOOR, excess_of};
 use super::group_excess;
 use super::repeatability::robot_mm;
 use super::unpredicted;
-use super::values::Values;
-use super::withheld::stand_in;
+use super::values::{Values, tails_of};
+use super::withheld::{StandIn, stand_in};
 use crate::answers::diagnosis::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
 use crate::diagnosis::search::CHANCE_OF_A_STEP;
 use crate::diagnosis::search::SearchResult;
@@ -43,7 +43,6 @@ pub(crate) fn judge(
     held_out: &HeldOut,
     unexplained: &mut Unexplained,
 ) {
-    let names = prepared.regression.added(&found.fit).len();
     if !unexplained.present {
         let excess = match floor.from {
             FloorFrom::Repeats => pure_error(prepared).map(|pure| lack_of_fit(values, &pure)),
@@ -72,34 +71,13 @@ pub(crate) fn judge(
             && excess.is_more_than_noise()
         {
             flag(prepared, values, floor, excess, unexplained);
-        } else if let Some(other) = stand_in(prepared, &found.fit) {
+        } else if let Some((description, resembles)) =
+            without_a_size(prepared, found, values, floor)
+        {
             unexplained.present = true;
             unexplained.place = None;
-            unexplained.description = text!(
-                "{withheld}, which this run leaves out, explains as much as {named}",
-                withheld = called(other.withheld),
-                named = called(&other.named)
-            );
-            unexplained.resembles.push(other.named);
-        } else if let Some((joint, terms)) = free_curve::as_likely(prepared, &found.fit) {
-            let robot = &prepared.regression.base.robot;
-            let names: Vec<String> = terms.iter().map(|t| t.name_on(robot)).collect();
-            unexplained.present = true;
-            unexplained.place = None;
-            unexplained.description = text!(
-                "a smooth curve over joint {joint} explains as much as {effects} together",
-                joint = joint + 1,
-                effects = Text::listed(names.iter().map(|name| called(name)), ", ")
-            );
-            unexplained.resembles.extend(names);
-        } else if let Some(wander) = wanders(values, names, floor) {
-            unexplained.present = true;
-            unexplained.place = None;
-            unexplained.description = wander;
-        } else if let Some(missed) = unpredicted::missed(prepared, values, floor) {
-            unexplained.present = true;
-            unexplained.place = None;
-            unexplained.description = missed;
+            unexplained.description = description;
+            unexplained.resembles.extend(resembles);
         }
         if unexplained.present && unexplained.rms_mm == 0.0 {
             let end = held_out.gaps.map_or(0.0, |g| g.end_mm).max(values.rms_mm());
@@ -113,6 +91,37 @@ pub(crate) fn judge(
     if unexplained.noise.is_none() {
         unexplained.noise = against_stated(prepared, values).filter(StatedNoise::differs);
     }
+}
+
+/// What speaks for more than noise without a larger error, and the names that only imitate it.
+fn without_a_size(
+    prepared: &PreparedSearch,
+    found: &SearchResult,
+    values: &Values,
+    floor: &Floor,
+) -> Option<(Text, Vec<String>)> {
+    if let Some(StandIn { named, withheld }) = stand_in(prepared, &found.fit) {
+        let description = text!(
+            "{withheld}, which this run leaves out, explains as much as {named}",
+            withheld = called(withheld),
+            named = called(&named)
+        );
+        return Some((description, vec![named]));
+    }
+    if let Some((joint, terms)) = free_curve::as_likely(prepared, &found.fit) {
+        let robot = &prepared.regression.base.robot;
+        let names: Vec<String> = terms.iter().map(|t| t.name_on(robot)).collect();
+        let description = text!(
+            "a smooth curve over joint {joint} explains as much as {effects} together",
+            joint = joint + 1,
+            effects = Text::listed(names.iter().map(|name| called(name)), ", ")
+        );
+        return Some((description, names));
+    }
+    let names = prepared.regression.added(&found.fit).len();
+    let wander = wanders(values, names, floor);
+    let missed = wander.or_else(|| unpredicted::missed(prepared, values, floor))?;
+    Some((missed, Vec::new()))
 }
 
 /// What is said of names beside a frame that wanders: an error above the floor is not explained by them.
@@ -242,7 +251,7 @@ fn over_stated(prepared: &PreparedSearch, values: &Values, floor: &Floor) -> Opt
     };
     // A few far samples are tails, of which thirty samples do not show enough to know them: of a
     // larger noise the bulk is larger as well.
-    let bulk = ratio2.sqrt() * values.bulk() / values.white().0.sqrt().max(1e-12);
+    let bulk = ratio2.sqrt() * values.bulk() / values.white().0.sqrt().max(f64::MIN_POSITIVE);
     let counts = is_of_the_bulk(bulk, values, floor);
     counts.then(|| excess_of(ratio2, freedom, f64::INFINITY, kurtosis))
 }
@@ -266,12 +275,8 @@ fn by_kind(layer: &Layer, values: &Values, floor: &Floor) -> Option<Excess> {
         // Every kind pays for the coefficients with its share of the rows.
         let freedom = (rows * (1.0 - spent)).max(1.0);
         let ratio2 = kind.squares.iter().sum::<f64>() / freedom;
-        let mut sizes: Vec<f64> = kind.squares.iter().map(|s| s.sqrt()).collect();
-        let (_, median, _) = sizes.select_nth_unstable_by(kind.squares.len() / 2, f64::total_cmp);
-        let bulk = *median / 0.674_5 / (1.0 - spent).max(1e-3).sqrt();
-        let fourth = kind.squares.iter().map(|s| s * s).sum::<f64>() / rows;
-        let second = kind.squares.iter().sum::<f64>() / rows;
-        let kurtosis = (fourth / (second * second).max(f64::MIN_POSITIVE)).max(3.0);
+        let (kurtosis, bulk) = tails_of(kind.squares.iter().map(|s| s.sqrt()).collect());
+        let bulk = bulk / (freedom / rows).sqrt();
         let own = excess_of(ratio2, freedom, f64::INFINITY, kurtosis);
         is_of_the_bulk(bulk, values, floor).then(|| Excess {
             p: (own.p * tried).min(1.0),

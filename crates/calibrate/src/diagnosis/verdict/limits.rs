@@ -15,6 +15,9 @@ use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::{bisected, weight_of};
 use crate::diagnosis::search::CHANCE_OF_A_STEP;
 
+/// The chance that what is as large as its limit is missed.
+const MISSED: f64 = 0.05;
+
 /// Limits of every name that was tried and is not in the model.
 pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
     let around = regression.surroundings(fit, CandidateSubset::Names);
@@ -57,7 +60,7 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
             }
             let test = regression.tests.of(rank, nu);
             let share = test.share_for(threshold + weight_of(candidate));
-            let critical = freedom * share / (1.0 - share).max(1e-12);
+            let critical = gain_of(share, freedom);
             let size = noncentrality(critical, rank).sqrt() * scale;
             let energy = |i: usize| -> f64 { (0..=i).map(|j| factor[i * k + j].powi(2)).sum() };
             let kind = regression.base.robot.joints[joint].kind;
@@ -97,6 +100,11 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
     limits
 }
 
+/// The gain, in units of what is left of the noise, of a candidate that explains this share of a sum of squares.
+pub(super) fn gain_of(share: f64, freedom: f64) -> f64 {
+    freedom * share / (1.0 - share).max(f64::EPSILON)
+}
+
 /// Nine in ten settings have a limit no larger; the very worst order may be one that the poses
 /// cannot show at all.
 fn typical_worst(all: &[Vec<(&'static str, f64)>]) -> Option<Vec<(&'static str, f64)>> {
@@ -126,7 +134,7 @@ fn noncentrality(critical: f64, k: usize) -> f64 {
         0.5 * statrs::function::erf::erfc(-z / std::f64::consts::SQRT_2)
     };
     let widest = 4.0 * critical + 100.0;
-    bisected([0.0, widest], |lambda| chance_below(lambda) > 0.05)
+    bisected([0.0, widest], |lambda| chance_below(lambda) > MISSED)
 }
 
 #[cfg(test)]

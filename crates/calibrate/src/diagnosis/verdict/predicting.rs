@@ -36,40 +36,39 @@ impl<'a> Predicting<'a> {
         let completed = completed(prepared, &named.values, names, &named.figures);
         let (values, figures) =
             completed.unwrap_or_else(|| (named.values.clone(), named.figures.clone()));
-        if let Some((with, after, unnamed)) = unnamed::beside(prepared, &values, &figures) {
+        let plain = Self {
+            values,
+            names: figures.clone(),
+            figures,
+            unnamed: None,
+            noise: None,
+            come_back: Vec::new(),
+        };
+        if let Some((with, after, unnamed)) =
+            unnamed::beside(prepared, &plain.values, &plain.figures)
+        {
             return Self {
                 values: with,
-                names: figures,
                 figures: after,
                 unnamed: Some(unnamed),
-                noise: None,
-                come_back: Vec::new(),
+                ..plain
             };
         }
-        let Some(own) = repeating::beside(prepared, &values, left, &figures) else {
-            return Self {
-                values,
-                names: figures.clone(),
-                figures,
-                unnamed: None,
-                noise: None,
-                come_back: Vec::new(),
-            };
+        let Some(own) = repeating::beside(prepared, &plain.values, left, &plain.figures) else {
+            return plain;
         };
-        let mut names = Figures {
-            held_out: own.figures.held_out.clone(),
-            ..figures
-        };
+        let mut names = plain.names;
+        names.held_out = own.figures.held_out.clone();
         if let Some(gaps) = &mut names.held_out.gaps {
-            gaps.end_mm = own.curve.held_out_mm[0].min(gaps.identified_mm);
+            gaps.end_mm = own.unnamed.held_out_mm[0].min(gaps.identified_mm);
         }
         Self {
-            values,
             names,
             figures: own.figures,
             unnamed: Some(own.unnamed),
             noise: own.noise,
             come_back: own.come_back,
+            ..plain
         }
     }
 

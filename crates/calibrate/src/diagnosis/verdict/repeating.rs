@@ -23,7 +23,6 @@ use crate::diagnosis::search::prepare::PreparedSearch;
 /// What repeats beside the values of the names.
 pub(super) struct Beside {
     pub(super) unnamed: Unnamed,
-    pub(super) curve: Correction,
     /// The figures with it.
     pub(super) figures: Figures,
     /// The noise beside it, where that is known better with it.
@@ -116,11 +115,10 @@ pub(super) fn beside(
         rms_mm: (before * before - after * after).sqrt(),
         held_out_mm,
         over: vec![Text::verbatim(format!("q{}_{}", joint + 1, kind.unit()))],
-        curve: Some(curve.clone()),
+        curve: Some(curve),
     };
     Some(Beside {
         unnamed,
-        curve,
         figures: now,
         noise: found.noise,
         come_back,

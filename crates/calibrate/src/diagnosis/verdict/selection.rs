@@ -40,7 +40,7 @@ impl Selection {
     /// `gain` and `least` in units of the noise squared, of `columns` columns. `None` where
     /// there is nothing to correct.
     pub(crate) fn of(gain: f64, least: f64, columns: usize) -> Option<Self> {
-        let beyond_chance = |gain: f64| (gain - (columns as f64 - 1.0)).max(1e-6).sqrt();
+        let beyond_chance = |gain: f64| (gain - (columns as f64 - 1.0)).max(f64::EPSILON).sqrt();
         let (a, b) = (beyond_chance(gain), beyond_chance(least));
         if a - b > FAR || a <= b {
             return None;

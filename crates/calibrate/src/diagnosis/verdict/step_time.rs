@@ -43,10 +43,10 @@ pub(crate) fn within_s(prepared: &PreparedSearch, term: &Term, worth: &Worth) ->
     let mut from = sample(before.max_by(f64::total_cmp), tried[first].0);
     let mut to = sample(after.min_by(f64::total_cmp), tried[last].0);
     if let Some(earlier) = first.checked_sub(1) {
-        from = from.min(0.5 * (tried[earlier].0 + tried[first].0));
+        from = from.min(tried[earlier].0.midpoint(tried[first].0));
     }
     if let Some(later) = tried.get(last + 1) {
-        to = to.max(0.5 * (tried[last].0 + later.0));
+        to = to.max(tried[last].0.midpoint(later.0));
     }
     Some([from, to])
 }

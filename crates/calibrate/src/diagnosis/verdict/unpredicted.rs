@@ -21,7 +21,7 @@ use crate::answers::diagnosis::Floor;
 use crate::diagnosis::search::prepare::PreparedSearch;
 
 /// With fewer held-out samples one or two that are wrong are the half.
-const FEWEST: usize = 8;
+pub(super) const FEWEST: usize = 8;
 /// From so many times the standard uncertainty on; half of all normal errors are within one.
 const MOST_TIMES: f64 = 3.0;
 

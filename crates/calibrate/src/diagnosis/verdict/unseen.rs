@@ -5,6 +5,7 @@ use crate::fit::base_model;
 use crate::fit::gap::{Spread, lengths_mm};
 use crate::model::Model;
 
+use super::unpredicted::FEWEST;
 use super::values::Values;
 use crate::answers::diagnosis::{Gaps, HeldOut};
 use crate::diagnosis::evidence::{Fit, Folds, Regression};
@@ -75,7 +76,11 @@ pub(super) fn rms_apart_mm(prepared: &PreparedSearch, left_mm: &[f64]) -> f64 {
     lengths.sort_by(f64::total_cmp);
     let count = lengths.len();
     let limit = 5.0 * lengths.get(count / 2).copied().unwrap_or(f64::NAN);
-    let spread = Spread::of(left_mm, |i| apart[i], |i| count >= 8 && left_mm[i] > limit);
+    let spread = Spread::of(
+        left_mm,
+        |i| apart[i],
+        |i| count >= FEWEST && left_mm[i] > limit,
+    );
     spread.map_or(0.0, |s| s.rms_mm)
 }
 

@@ -19,6 +19,7 @@ use crate::model::Model;
 use crate::observations::figures::{coordinate_mm, whitened};
 use crate::sessions::poses::ByPose;
 
+use super::limits::gain_of;
 use super::selection::Selection;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Significance;
@@ -289,15 +290,7 @@ impl<'a> Values<'a> {
         if self.model.robot.joints.len() < 2 || terms.iter().all(is_base) {
             return;
         }
-        let held = terms.iter().map(|term| {
-            let mut term = term.clone();
-            if !is_base(&term) {
-                term.held =
-                    (0..term.coefficients.len()).fold(term.held, crate::effects::FixedMask::with);
-            }
-            term
-        });
-        let start = Model::new(self.model.robot.clone(), held.collect());
+        let start = Model::new(self.model.robot.clone(), self.with_names_held());
         let fitted = solve(&self.problem, &start).model;
         self.model = self.model.with_coefficients(&fitted.coefficients());
         if self.rms_mm() > MOST_WORSE * before.rms_mm() {
@@ -305,6 +298,19 @@ impl<'a> Values<'a> {
             self.estimates.clone_from(&before.estimates);
         }
         self.solution.model = self.model.clone();
+    }
+
+    /// The terms of the model, of which a fit moves the geometry alone.
+    fn with_names_held(&self) -> Vec<Term> {
+        let held = self.model.terms().iter().map(|term| {
+            let mut term = term.clone();
+            if !base_model::belongs(term.effect.about().id) {
+                term.held =
+                    (0..term.coefficients.len()).fold(term.held, crate::effects::FixedMask::with);
+            }
+            term
+        });
+        held.collect()
     }
 
     /// With what no sample shows where it is likeliest ([`crate::fit::unseen`]). The model of `identify` is completed as
@@ -370,18 +376,10 @@ impl<'a> Values<'a> {
         let mut now = self.clone();
         now.problem.extra_columns.clear();
         let is_base = |t: &Term| base_model::belongs(t.effect.about().id);
-        let held = self.model.terms().iter().map(|term| {
-            let mut term = term.clone();
-            if !is_base(&term) {
-                term.held =
-                    (0..term.coefficients.len()).fold(term.held, crate::effects::FixedMask::with);
-            }
-            term
-        });
         let alone = self.model.coefficients();
         let unnamed = unnamed.iter().map(|term| term.beside_geometry(&alone));
         let unnamed: Vec<Term> = unnamed.collect();
-        let all = held.chain(unnamed.iter().cloned()).collect();
+        let all = [self.with_names_held(), unnamed.clone()].concat();
         let fitted = solve(&now.problem, &Model::new(self.model.robot.clone(), all)).model;
         // They have no coefficients and are the last of all.
         let with = unnamed
@@ -482,7 +480,7 @@ pub(crate) fn corrected_for_selection<'a>(
         let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);
         let tried = 0.5 * regression.price_of_term(term);
         let share = Significance::new(columns, freedom).share_for(threshold + tried);
-        let least = freedom * share / (1.0 - share).max(1e-12);
+        let least = gain_of(share, freedom);
         let gain = freedom * (rest.rss - fit.rss) / fit.rss.max(1e-300);
         if let Some(selection) = Selection::of(gain, least, columns) {
             values.correct(term, &selection);
@@ -494,9 +492,7 @@ pub(crate) fn corrected_for_selection<'a>(
     values
 }
 
-/// Fourth moment of the coordinates that are left over the square of the second, each axis in units
-/// of its own noise (3 for a Gaussian, and never less); and the size of their bulk, from the median,
-/// in the same units.
+/// Kurtosis and bulk of the coordinates that are left, each axis in units of its own noise.
 fn tails(problem: &Problem, solution: &Solution) -> (f64, f64) {
     let mut all = Vec::with_capacity(problem.rows());
     if let Some(layer) = &problem.observed {
@@ -510,17 +506,23 @@ fn tails(problem: &Problem, solution: &Solution) -> (f64, f64) {
         let counts = used.filter(|(_, used)| points && unit > 0.0 && **used);
         all.extend(counts.map(|(e, _)| (e * unit).abs()));
     }
+    tails_of(all)
+}
+
+/// Kurtosis of absolute values, that of a Gaussian at least, and the size of their bulk.
+pub(super) fn tails_of(mut all: Vec<f64>) -> (f64, f64) {
+    const OF_A_GAUSSIAN: f64 = 3.0;
     if all.is_empty() {
-        return (3.0, 1.0);
+        return (OF_A_GAUSSIAN, 1.0);
     }
     let moment = |power: i32| all.iter().map(|e| e.powi(power)).sum::<f64>() / all.len() as f64;
     let (second, fourth) = (moment(2), moment(4));
     let middle = all.len() / 2;
     let (_, median, _) = all.select_nth_unstable_by(middle, f64::total_cmp);
     let kurtosis = if second > 0.0 {
-        f64::max(fourth / (second * second), 3.0)
+        f64::max(fourth / (second * second), OF_A_GAUSSIAN)
     } else {
-        3.0
+        OF_A_GAUSSIAN
     };
     (kurtosis, *median / 0.674_5)
 }
