@@ -51,6 +51,9 @@ pub(crate) struct ModelDistance {
     pub(crate) enough: f64,
 }
 
+/// Parameters that no candidate shows are left out where there are so many: fewer are as fast with the others.
+const WORTH_LEAVING_OUT: usize = 48;
+
 impl ModelDistance {
     /// Of what another model shows as compared with the one that is refitted.
     pub(crate) fn new(residual: DVector<f64>, enough: f64) -> Self {
@@ -105,16 +108,18 @@ impl Comparison {
         let pull = white.tr_mul(&difference) * weight;
         // Of many parameters these columns and those of all candidates need not have room at once.
         drop((white, columns));
-        let seen = field.rows(truth, other);
-        let covariance = covariance::beside(&gram, &seen);
-        let at_first = &covariance * &pull;
+        let mut seen = field.rows(truth, other);
+        let mut covariance = covariance::beside(&gram, &seen);
+        let mut at_first = &covariance * &pull;
         let explained = at_first.dot(&pull);
         // The frames of setups that are over are of use for the other parameters only.
         let squares = seen.squares();
         let shown: Vec<usize> = (0..pull.len()).filter(|k| squares[*k] > 0.0).collect();
-        let seen = seen.only(&shown);
-        let covariance = covariance.select_rows(&shown).select_columns(&shown);
-        let at_first = at_first.select_rows(&shown);
+        if pull.len() - shown.len() >= WORTH_LEAVING_OUT {
+            seen = seen.only(&shown);
+            covariance = covariance.select_rows(&shown).select_columns(&shown);
+            at_first = at_first.select_rows(&shown);
+        }
         let residual = &seen.difference - seen.columns.tr_mul(&at_first);
         let mut distance = ModelDistance::new(residual, enough);
         distance.delta = (difference.norm_squared() * weight - explained).max(0.0);

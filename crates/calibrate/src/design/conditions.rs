@@ -13,9 +13,8 @@ use super::arm::Arm;
 use super::candidate::Candidate;
 use super::candidate_set::free;
 use super::covariance::inverse;
-use super::decision::WIDEST;
 use super::every_effect::every_effect;
-use super::exchange::{Criterion, LEAST_WORTH, choose};
+use super::exchange::{Criterion, choose};
 use super::first_measurement::WARMTHS;
 use super::imagined::{SECONDS_PER_POSE, shown};
 use super::information::Information;
@@ -28,12 +27,14 @@ use crate::model::Model;
 
 /// Load in each stretch, as a share of the test load: it is changed twice, and a drift in time cancels.
 /// Warmth is that of a first measurement: cold, warming up, warm, cooling down.
-pub(crate) const LOADS: [f64; 4] = [0.0, 1.0, 1.0, 0.0];
+const LOADS: [f64; 4] = [0.0, 1.0, 1.0, 0.0];
 /// Poses from which on there are stretches.
 const SOME: usize = 16;
 /// Sides of approach that are tried for each pose, and of many poses.
 const SIDES: [usize; 2] = [4, 2];
 const MANY: usize = 120;
+/// What is known of an effect beforehand: it moves the target by no more than so many times the noise.
+const USUAL: f64 = 10.0;
 
 /// How far before a pose the approach to it begins, rad or mm: 5° or 10 mm, within a quarter of the
 /// range.
@@ -150,7 +151,7 @@ impl Criterion for ConditionedPoses {
             let free = !self.used[self.pose[k]] && self.free_in_stretch[self.stretch[k]] > 0;
             // Where nothing is to be told any more the pose is measured all the same.
             if free {
-                self.information.gain(k).max(LEAST_WORTH)
+                self.information.gain(k).max(1e-6)
             } else {
                 0.0
             }
@@ -201,7 +202,7 @@ fn information(
     for (to, _) in columns.iter().enumerate().filter(|own| of_effect[*own.1]) {
         let mean = squares[to] / rows.difference.len().max(1) as f64;
         known[(to, to)] = if mean > 0.0 {
-            mean / (WIDEST * WIDEST)
+            mean / (USUAL * USUAL)
         } else {
             1.0
         };

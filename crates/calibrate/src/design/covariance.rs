@@ -6,19 +6,13 @@ use nalgebra::{DMatrix, DVector};
 use super::rows::Rows;
 
 /// Information that every direction has at least, as a share of what the columns could bring.
-pub(crate) const LEAST_INFORMATION: f64 = 1e-9;
+const LEAST_INFORMATION: f64 = 1e-9;
 /// The same of a matrix with a unit diagonal: rounding may leave a direction a hair below zero.
 const ROUNDING: f64 = 1e-12;
 
 /// A matrix with a unit diagonal, and by how much each parameter was scaled.
 fn scaled(information: &DMatrix<f64>) -> (DMatrix<f64>, DVector<f64>) {
-    let of = |own: f64| {
-        if own > f64::MIN_POSITIVE {
-            1.0 / own.sqrt()
-        } else {
-            0.0
-        }
-    };
+    let of = |own: f64| if own > 1e-200 { 1.0 / own.sqrt() } else { 0.0 };
     let scale = information.diagonal().map(of);
     let p = scale.len();
     let unit = DMatrix::from_fn(p, p, |i, j| information[(i, j)] * scale[i] * scale[j]);

@@ -36,8 +36,9 @@ use crate::effects::Term;
 pub(crate) const SURE: f64 = 0.98;
 /// Draws of each explanation: the probability is known to about one in a hundred.
 const DRAWS: usize = 250;
-/// What the samples say nothing of moves a pose by no more than this many standard deviations of the noise.
-pub(crate) const WIDEST: f64 = 10.0;
+/// What the samples say nothing of is drawn so small that it moves a pose by this many standard
+/// deviations of the noise.
+const WIDEST: f64 = 10.0;
 /// A pair that stays open in nearly every draw is not parted by any pose.
 const HOPELESS: f64 = 0.05;
 

@@ -254,8 +254,8 @@ fn is_said(need: Need, samples: &Samples) -> bool {
     }
 }
 
-/// At most so many effects, or pairs of them, are named in the reason for a pose.
-pub(crate) const MOST_NAMED: usize = 3;
+/// At most so many effects are named in the reason for a pose.
+const MOST_NAMED: usize = 3;
 
 fn words(shown: &[&Untestable], choice: &Candidate) -> Text {
     let matters = |need: &Need| match need {

@@ -34,8 +34,6 @@ impl Criterion for Information {
 
 /// A pose that is worth less than this is worth nothing.
 const NOTHING: f64 = 1e-9;
-/// A pose that is measured whatever it shows is worth this at least.
-pub(crate) const LEAST_WORTH: f64 = 1e-6;
 
 /// Candidates one after the other until the criterion is satisfied, `most` are taken, or nothing
 /// helps; of candidates that are worth the same the first.

@@ -29,15 +29,16 @@ use crate::text::Text;
 
 use super::candidate::typed;
 use super::candidate::{Arrival, Candidate, Writing, anywhere, inputs, usual_speed};
-use super::conditions::LOADS;
 use super::covariance::inverse;
 use super::every_effect::every_effect;
-use super::exchange::{Criterion, LEAST_WORTH, choose};
+use super::exchange::{Criterion, choose};
 use super::imagined::SECONDS_PER_POSE;
 use super::information::Information;
 use super::needs::WARMING_C;
 use super::rows::Rows;
 
+/// Load in each eighth of the measurement, as a share of the test load.
+const LOADS: [f64; 8] = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0];
 /// Warmth in each quarter, as a share of the warming: cold, warming up, warm, cooling down.
 pub(crate) const WARMTHS: [f64; 4] = [0.0, 0.5, 1.0, 0.35];
 /// Speeds in turn, in units of a modest one: most poses at standstill.
@@ -51,6 +52,8 @@ const EFFORT: usize = 600_000_000;
 const CANDIDATES: [usize; 2] = [12, 160];
 /// One candidate of so many is at an end of the travel, which belongs to it.
 const ENDS_EVERY: usize = 8;
+/// Every slot is filled, whatever it shows.
+const LEAST_WORTH: f64 = 1e-6;
 
 /// What a first measurement is made for.
 #[derive(Debug, Clone, Copy)]
@@ -140,8 +143,7 @@ impl Request<'_> {
                 4 if 4 * i > n => Arrival::Return(0),
                 _ => Arrival::Long,
             },
-            // The loads twice over.
-            load_kg: LOADS[2 * i * LOADS.len() / n % LOADS.len()] * self.load_kg,
+            load_kg: LOADS[i * LOADS.len() / n] * self.load_kg,
             above_20_c: WARMTHS[i * WARMTHS.len() / n] * WARMING_C,
             target,
             time_s: SECONDS_PER_POSE * i as f64,

@@ -14,6 +14,9 @@ use nalgebra::{Cholesky, DMatrix};
 use super::rows::Rows;
 use crate::linear::cross;
 
+/// Rows that are multiplied with a covariance at once.
+const CARRIED_AT_ONCE: usize = 256;
+
 /// What is known of parameters, and what each candidate would add to it. A candidate is taken once.
 #[derive(Clone)]
 pub(crate) struct Information {
@@ -51,12 +54,21 @@ impl Information {
 
     /// Every J C Jᵀ from the covariance as it is now.
     pub(crate) fn refresh(&mut self) {
-        for candidate in 0..self.rows.len() {
-            let (first, size) = self.rows.place(candidate);
-            let own = self.rows.of(candidate);
-            let spread = own.tr_mul(&(&self.covariance * own));
-            let mut to = self.spread.view_mut((first, 0), (size, size));
-            to.copy_from(&spread);
+        let Rows { columns, first, .. } = &*self.rows;
+        // So many rows at a time that what the covariance makes of them needs little room.
+        let mut from = 0;
+        while from + 1 < first.len() {
+            let more = first[from..].partition_point(|f| f - first[from] <= CARRIED_AT_ONCE);
+            let to = (from + more - 1).max(from + 1);
+            let start = first[from];
+            let carried = &self.covariance * columns.columns(start, first[to] - start);
+            for pair in first[from..=to].windows(2) {
+                let size = pair[1] - pair[0];
+                let own = carried.columns(pair[0] - start, size);
+                let mut to = self.spread.view_mut((pair[0], 0), (size, size));
+                to.copy_from(&own.tr_mul(&columns.columns(pair[0], size)));
+            }
+            from = to;
         }
     }
 

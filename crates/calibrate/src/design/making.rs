@@ -45,6 +45,8 @@ const POSES_OF_A_JOINT: usize = 60;
 const POSES_OF_AN_ARM: usize = 40;
 const POSES_PER_JOINT: usize = 10;
 const POSES_BESIDE: usize = 20;
+/// Poses that make effects testable, where no number is given.
+const MOST_ENABLING: usize = 24;
 
 /// A plan for a session: it is diagnosed, and what that leaves open is planned for. Where it has
 /// other measurements than points it is planned for its geometry.
@@ -129,7 +131,7 @@ fn add_what_is_untestable(
     options: &PlanOptions,
 ) {
     let room = |plan: &Plan| options.poses.map(|n| n - plan.poses.len());
-    let most = room(plan).unwrap_or(next_poses::MOST);
+    let most = room(plan).unwrap_or(MOST_ENABLING);
     let load_kg = options.load_kg;
     let mut more = enabling_poses::enable(prepared, fit, untestable_now, load_kg, most, true);
     // A technician mounts one bar.

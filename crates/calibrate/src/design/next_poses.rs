@@ -19,7 +19,7 @@ use super::candidate::Arrival;
 use super::candidate_poses::{CandidatePoses, Conditions};
 use super::comparison::ModelDistance;
 use super::decision::{Decision, Explanation, SURE};
-use super::enabling_poses::{self, MOST_NAMED};
+use super::enabling_poses;
 use super::exchange::choose;
 use super::field::Field;
 use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
@@ -234,7 +234,7 @@ fn why(rivals: &[&Rival]) -> Text {
             one = names(&rival.removed),
             other = names(&rival.instead)
         );
-        if !pairs.contains(&pair) && pairs.len() < MOST_NAMED {
+        if !pairs.contains(&pair) && pairs.len() < 3 {
             pairs.push(pair);
         }
     }

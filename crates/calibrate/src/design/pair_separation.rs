@@ -19,7 +19,7 @@ use crate::text::Text;
 use super::candidate::ranges;
 use super::candidate_poses::CandidatePoses;
 use super::comparison::{Comparison, ModelDistance, enough_for};
-use super::covariance::{LEAST_INFORMATION, inverse};
+use super::covariance::inverse;
 use super::every_effect::standing;
 use super::exchange::choose;
 use super::field::Field;
@@ -34,6 +34,8 @@ const JUST_SEEN: f64 = 40.0;
 /// What is left of an effect beside the other, in the best of all places, below which no pose
 /// tells them apart.
 const NOTHING_LEFT: f64 = 1e-4;
+/// A direction with so small a share of the mean information is not there.
+const NONE: f64 = 1e-9;
 /// Weight of all candidates together where a session cannot show an effect at all: as so many poses.
 const AS_MANY_POSES: f64 = 40.0;
 
@@ -289,9 +291,7 @@ impl Pair {
         // Directions of which nothing is left beside the base do not count against the other.
         let spectrum = crate::decompose::eigen(alone);
         let values = &spectrum.eigenvalues;
-        let kept: Vec<usize> = (0..k)
-            .filter(|i| values[*i] > LEAST_INFORMATION * mean)
-            .collect();
+        let kept: Vec<usize> = (0..k).filter(|i| values[*i] > NONE * mean).collect();
         let mut basis = spectrum.eigenvectors.select_columns(&kept);
         for (mut column, i) in basis.column_iter_mut().zip(&kept) {
             column /= values[*i].sqrt();
