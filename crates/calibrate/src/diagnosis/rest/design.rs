@@ -43,7 +43,7 @@ pub(super) struct Design<'a> {
     directions: DMatrix<f64>,
     /// The geometry's columns, the families' and the residual, with the rows of the priors below.
     whitened: Whitened,
-    /// By cell and, within it, by share.
+    /// By cell, of the samples that are not apart.
     parts: Vec<Products>,
     /// The share of each sample.
     share: Vec<usize>,
@@ -228,27 +228,28 @@ impl<'a> Design<'a> {
             Some(products) => products.with(&self.whitened.white, width, rows),
             None => self.whitened.products(rows),
         };
-        let parts: Vec<Products> = self.threads.each(self.folds.count() * SHARES, |part| {
-            of(&self.rows_of_part(part), self.parts.get(part))
+        let parts: Vec<Products> = self.threads.each(self.folds.count(), |fold| {
+            of(&self.rows_of(fold), self.parts.get(fold))
         });
         let known = of(&known, self.products.as_ref());
-        self.parts = parts;
         // What was measured counts: an observation may have fewer rows than others.
-        self.total = self
-            .parts_in_play(|_| true)
+        self.total = parts
             .iter()
-            .fold(known.clone(), |sum, part| sum.and(&self.parts[*part], 1.0));
+            .fold(known.clone(), |sum, part| sum.and(part, 1.0));
+        self.parts = parts;
         self.products = Some(known);
     }
 
     /// The same without a share, which what is chosen there has not seen.
     pub(super) fn without(&self, share: usize) -> Self {
-        let mut now = Self {
-            apart: Some(share),
-            ..self.clone()
-        };
-        for cell in 0..self.folds.count() {
-            now.total = now.total.and(&self.parts[cell * SHARES + share], -1.0);
+        let mut now = self.clone();
+        now.apart = Some(share);
+        for (cell, part) in now.parts.iter_mut().enumerate() {
+            let in_both =
+                |sample: usize| self.folds.of(sample) == cell && self.share[sample] == share;
+            let own = self.whitened.products(&self.whitened.rows(in_both));
+            *part = part.and(&own, -1.0);
+            now.total = now.total.and(&own, -1.0);
         }
         now
     }
@@ -258,16 +259,11 @@ impl<'a> Design<'a> {
         vec![0.0; self.families.all.len()]
     }
 
-    fn parts_in_play(&self, cell: impl Fn(usize) -> bool) -> Vec<usize> {
-        let all = 0..self.folds.count() * SHARES;
-        all.filter(|part| cell(part / SHARES) && Some(part % SHARES) != self.apart)
-            .collect()
-    }
-
-    fn rows_of_part(&self, part: usize) -> Vec<usize> {
-        let (cell, share) = (part / SHARES, part % SHARES);
+    /// Rows of the samples that are in a cell and not apart.
+    fn rows_of(&self, cell: usize) -> Vec<usize> {
+        let is_apart = |sample: usize| Some(self.share[sample]) == self.apart;
         self.whitened
-            .rows(|sample| self.folds.of(sample) == cell && self.share[sample] == share)
+            .rows(|sample| self.folds.of(sample) == cell && !is_apart(sample))
     }
 
     /// The samples of a share.
@@ -362,12 +358,10 @@ impl<'a> Design<'a> {
     /// Every fold by the others, for [`gains`](Self::gains).
     pub(super) fn unseen(&self) -> Option<HeldOut<'_>> {
         let seen = |cell: usize| {
-            let own = self.parts_in_play(|of| of == cell);
-            let rows: Vec<usize> = own.iter().flat_map(|p| self.rows_of_part(*p)).collect();
-            let without = |sum: Products, part: &usize| sum.and(&self.parts[*part], -1.0);
-            (rows, own.iter().fold(self.total.clone(), without))
+            let seen = self.total.and(&self.parts[cell], -1.0);
+            (self.rows_of(cell), seen)
         };
-        let folds = self.folds.count();
+        let folds = self.parts.len();
         let samples = self.folds.samples();
         HeldOut::new(&self.whitened, &seen, folds, samples, self.threads)
     }
