@@ -295,7 +295,7 @@ impl Workbench {
         self.jobs.quietly(work, Self::take_kept);
     }
 
-    /// Looks for what windows that are gone have left behind, and offers it.
+    /// Looks for unsaved work of windows that ended without warning, and offers to restore it.
     pub(super) fn look_for_left_behind(&mut self) {
         let Some(home) = self.file_state.home.clone() else {
             return;

@@ -2,7 +2,7 @@
 //! (two in a planar session), and which of them are suspected outliers. Their RMS error is defined in
 //! `answers::rms_error`.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 pub use crate::answers::errors::Spread;
 use crate::lanes::LANES;
@@ -12,7 +12,6 @@ pub use crate::observations::figures::Deviations;
 use crate::observations::outliers::{as_if_seen, suspected};
 
 use super::problem::Problem;
-use super::regression::Rows;
 
 /// An error above this share of the robot's size is gross: effects leave less, so that it is of the rows, the set-up
 /// or the description. (Derived: a set-up error moves the tool by more than a hundredth of the robot's size.)
@@ -135,27 +134,41 @@ pub(crate) fn suspects_beside(
 ) -> Vec<bool> {
     let used = problem.used.iter().filter(|used| **used).count();
     if problem.session.robot.joints.len() > 1 && used < problem.used.len() {
-        let unseen: Vec<usize> = (0..problem.used.len())
-            .filter(|i| problem.usable[*i] && !problem.used[*i])
-            .collect();
-        let rows = Rows::of_samples(problem, unseen);
-        let n = rows.samples.len();
-        let seen = rows.axes.len() * used;
-        let columns = rows.extract(model).1;
-        let spread = &columns * covariance();
-        for (at, sample) in rows.samples.iter().enumerate() {
-            let of_axis = |(a, axis): (usize, &usize)| {
-                let row = a * n + at;
-                problem.axis_weights[*axis] * spread.row(row).dot(&columns.row(row))
-            };
-            let sum: f64 = rows.axes.iter().enumerate().map(of_axis).sum();
-            let factor = as_if_seen(rank, seen, sum / rows.axes.len() as f64);
+        let axes = problem.axis_weights.iter().filter(|w| **w > 0.0).count();
+        for (sample, leverage) in leverages_of_unseen(problem, model, &covariance()) {
+            let factor = as_if_seen(rank, axes * used, leverage / axes as f64);
             for axis in &mut deviations.axes_mm {
-                axis[*sample] *= factor;
+                axis[sample] *= factor;
             }
         }
     }
     suspects(problem, deviations)
+}
+
+/// Of every usable sample that does not count how much the fit's own error adds to the square of its deviation, in
+/// units of the noise: `tr(J C Jᵀ)`. Block by block: of a long session many are held out.
+fn leverages_of_unseen(
+    problem: &Problem,
+    model: &Model,
+    covariance: &DMatrix<f64>,
+) -> Vec<(usize, f64)> {
+    let is_unseen = |i: &usize| problem.usable[*i] && !problem.used[*i];
+    let unseen: Vec<usize> = (0..problem.used.len()).filter(is_unseen).collect();
+    let mut leverages = Vec::with_capacity(unseen.len());
+    let mut row = DVector::zeros(model.coefficient_count());
+    model.visit(&problem.inputs.select(&unseen), true, |start, block| {
+        for lane in 0..block.len {
+            let mut sum = 0.0;
+            for (axis, weight) in problem.axis_weights.iter().enumerate() {
+                for (value, column) in row.iter_mut().zip(&block.columns) {
+                    *value = column[axis][lane];
+                }
+                sum += weight * row.dot(&(covariance * &row));
+            }
+            leverages.push((unseen[start + lane], sum));
+        }
+    });
+    leverages
 }
 
 /// Marks the samples of the problem that are suspected; held-out ones are judged as well, and do
@@ -171,4 +184,47 @@ pub(crate) fn suspects(problem: &Problem, deviations: &Deviations) -> Vec<bool> 
     let stated = problem.axis_weights;
     let sigma: Vec<f64> = axes.iter().map(|a| 1.0 / stated[*a].sqrt()).collect();
     suspected(&all, &problem.fit, &sigma, balanced)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::JointValues;
+    use crate::fit::base_model;
+    use crate::fit::example::unrepeated;
+    use crate::fit::regression::Rows;
+    use crate::fit::solver::covariance_at;
+
+    /// With all rows of the least squares at hand: J (J₁ᵀ W J₁)⁻¹ Jᵀ W of the rows that it has not seen.
+    #[test]
+    fn leverages_of_unseen_samples_are_those_of_the_dense_rows() {
+        let session = unrepeated(0.0, 2);
+        let mut problem = Problem::observing(&session, JointValues::Commanded);
+        problem.axis_weights = [1.0, 4.0, 9.0];
+        problem.used[7] = false;
+        problem.used[100] = false;
+        let start = base_model::start(&session, &problem, |_| true);
+        // Coefficients that the rows tell apart.
+        let model = start.without(|term| term.effect.about().id != "joint-zero-offset");
+        let of = |samples: Vec<usize>| {
+            let rows = Rows::of_samples(&problem, samples);
+            let columns = rows.extract(&model).1;
+            let n = rows.samples.len();
+            DMatrix::from_fn(columns.nrows(), columns.ncols(), |i, k| {
+                columns[(i, k)] * problem.axis_weights[i / n].sqrt()
+            })
+        };
+        let seen = of((0..180).filter(|i| problem.used[*i]).collect());
+        let inverse = (seen.transpose() * &seen).try_inverse().unwrap();
+        let found = leverages_of_unseen(&problem, &model, &covariance_at(&problem, &model));
+        assert_eq!(found.len(), 2);
+        for (sample, leverage) in found {
+            let own = of(vec![sample]);
+            let dense = (&own * &inverse * own.transpose()).trace();
+            assert!(
+                dense > 1e-3 && (leverage - dense).abs() < 1e-9,
+                "{leverage} {dense}"
+            );
+        }
+    }
 }
