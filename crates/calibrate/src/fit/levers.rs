@@ -49,10 +49,11 @@ fn places(model: &Model) -> Vec<usize> {
     own.map(|(place, _)| place).collect()
 }
 
-/// How rows move with the joints, one after the other, and which samples share a pose.
-pub(crate) struct Moves<'a> {
-    pub(crate) poses: &'a [u32],
-    pub(crate) levers: &'a DMatrix<f64>,
+/// How rows move with the joints, one after the other, and the pose of each sample.
+#[derive(Debug)]
+pub(crate) struct Moves {
+    pub(crate) poses: Vec<u32>,
+    pub(crate) levers: DMatrix<f64>,
 }
 
 /// The same for every sample along x, y, z, joint by joint.

@@ -33,8 +33,8 @@ pub struct Rows<'a> {
     /// Standard deviation of what rounding to the digit of each coordinate adds, mm.
     pub digits_mm: [f64; 3],
     measured_mm: Vec<Vec<f64>>,
-    /// How rows move with the joints, where samples share poses and a model has shown it.
-    levers: Option<Arc<DMatrix<f64>>>,
+    /// How rows move with the joints, where a model has shown it.
+    moves: Option<Arc<Moves>>,
     observed: Option<ObservedRows<'a>>,
 }
 
@@ -51,7 +51,7 @@ impl<'a> Rows<'a> {
                 inputs: problem.inputs.select(&of_session),
                 digits_mm: [0.0; 3],
                 measured_mm: Vec::new(),
-                levers: None,
+                moves: None,
                 samples,
                 observed: Some(rows),
             };
@@ -80,7 +80,7 @@ impl<'a> Rows<'a> {
             digits_mm: problem.digits_mm,
             samples,
             axes,
-            levers: None,
+            moves: None,
             observed: None,
         }
     }
@@ -88,7 +88,7 @@ impl<'a> Rows<'a> {
     /// Rows of some samples, one for each; what they are of is up to the caller.
     pub(crate) fn of_one_axis(&self, samples: &[usize]) -> Rows<'static> {
         Rows {
-            levers: None,
+            moves: None,
             samples: samples.to_vec(),
             axes: vec![0],
             times: samples.iter().map(|k| self.times[*k]).collect(),
@@ -105,24 +105,26 @@ impl<'a> Rows<'a> {
         if let Some(rows) = &mut self.observed {
             rows.see_by(model);
         }
-        if self.inputs.pose.is_some() {
+        if self.inputs.pose.is_some() || model.robot.joints.len() > 1 {
             let columns = self.extract(&moving_joints(model)).1;
-            self.levers = Some(Arc::new(levers(&columns, model)));
+            let each = || (0..).take(self.samples.len()).collect();
+            self.moves = Some(Arc::new(Moves {
+                poses: self.inputs.pose.clone().unwrap_or_else(each),
+                levers: levers(&columns, model),
+            }));
         }
         self
     }
 
-    /// Which samples share a pose, and how rows move with the joints; `None` where every sample has its own.
-    pub(super) fn moves(&self) -> Option<Moves<'_>> {
-        Some(Moves {
-            poses: self.inputs.pose.as_deref()?,
-            levers: self.levers.as_deref()?,
-        })
+    /// The pose of each sample, and how rows move with the joints; `None` where no model has shown it, or of a single joint
+    /// that was at every sample elsewhere: there that is noise along one axis.
+    pub(super) fn moves(&self) -> Option<&Moves> {
+        self.moves.as_deref()
     }
 
     /// RMS length of what the joints do not repeat by a noise, mm; `None` where it has none of it.
     pub(crate) fn unrepeated_mm(&self, noise: &Noise) -> Option<f64> {
-        let levers = self.moves().filter(|_| noise.joints_rad > 0.0)?.levers;
+        let levers = &self.moves().filter(|_| noise.joints_rad > 0.0)?.levers;
         let each = levers.row_iter().enumerate();
         let square: f64 = each
             .map(|(row, lever)| self.mm(row).powi(2) * lever.norm_squared())

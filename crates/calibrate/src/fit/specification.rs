@@ -1,7 +1,7 @@
 //! Whether what the rows of a pose share is noise of the robot, or an error that the model lacks.
 //!
-//! Where several reflectors are measured in one pose, [`noise`](super::noise) lets the joints not repeat, and a fit beside that
-//! trusts the differences between the reflectors more than where the pose is. A sag that the model lacks looks the same, is
+//! [`noise`](super::noise) lets the joints not repeat, and a fit beside that trusts rows that move little with them more, as
+//! the differences between the reflectors of a pose. A sag that the model lacks looks the same, is
 //! there in every pose, and then the fit leaves it all where it was. Both weightings estimate the same coefficients where
 //! the noise is what it is said to be; where they do not agree it is not (Hausman, Econometrica 46, 1978):
 //!
@@ -37,16 +37,12 @@ pub(super) struct Alike {
 /// That fit where the one beside joints that do not repeat is another. The problem leaves with noise that all rows have
 /// alike.
 pub(super) fn alike(problem: &mut Problem, beside: &Solution) -> Option<Alike> {
-    let shared = problem
-        .noise
-        .as_ref()
-        .is_some_and(|noise| noise.joints_rad > 0.0);
+    problem.noise.as_ref().filter(|n| n.joints_rad > 0.0)?;
     let used: Vec<usize> = (0..problem.used.len())
         .filter(|i| problem.used[*i])
         .collect();
-    let pose = problem.inputs.pose.as_deref().filter(|_| shared)?;
-    let of_used: Vec<u32> = used.iter().map(|i| pose[*i]).collect();
-    let poses = ByPose::of(Some(&of_used), used.len()).first.len();
+    let pose = problem.inputs.select(&used).pose;
+    let poses = ByPose::of(pose.as_deref(), used.len()).first.len();
     let rss_beside = rss(problem, &beside.model);
     let variance = rss_beside / problem.rows() as f64;
     let mut trial = problem.clone();

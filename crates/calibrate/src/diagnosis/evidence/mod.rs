@@ -5,7 +5,7 @@
 //! - `score`, `scores`, `grams`, `surroundings`, `beside_fits`: what candidates would do beside a fit.
 //! - `likelihood`: how fits are compared; `significance`, `trials`, `largest_in_noise`,
 //!   `familywise`: what noise does.
-//! - `held_out`, `left_out`, `rescanned`: errors on samples that a fit has not seen.
+//! - `held_out`, `left_out`, `rescanned`, `shares`: errors on samples that a fit, or a choice, has not seen.
 //! - `rival`: another explanation of the same samples.
 //! - `memo`, `base_basis`: what was computed before; `work`: how much may be computed.
 
@@ -28,6 +28,7 @@ mod rescanned;
 pub(crate) mod rival;
 mod score;
 mod scores;
+pub(crate) mod shares;
 mod significance;
 mod surroundings;
 mod trials;
@@ -40,6 +41,7 @@ pub(crate) use grams::units_beside;
 pub(crate) use held_out::Folds;
 pub(crate) use likelihood::{EFFECT_PRIOR_PENALTY, is_beyond};
 pub(crate) use regression::Regression;
+pub(crate) use rescanned::{FEW, chosen_again};
 pub(crate) use score::{Score, by_odds, weight_of};
 pub(crate) use significance::Significance;
 pub(crate) use surroundings::{Surroundings, Without};

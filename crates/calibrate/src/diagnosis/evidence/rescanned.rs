@@ -9,8 +9,10 @@ use nalgebra::{DMatrix, DVector};
 use super::fit::Fit;
 use super::left_out::{Exchanged, Fitted, Scanned};
 use super::regression::Regression;
+use super::shares::{Gains, SHARES, dealt};
 use super::surroundings::Without;
 use crate::diagnosis::candidates::columns::CandidateSubset;
+use crate::diagnosis::candidates::compatible;
 
 /// Another setting rivals the term's own from this share of what that does on.
 const RIVALS: f64 = 0.6;
@@ -168,6 +170,56 @@ impl<'f, 'a> Rescanned<'f, 'a> {
     }
 }
 
+/// What a term brings where it is chosen again, among all names with as many coefficients that may stand beside the
+/// others, without each share of the poses in turn.
+pub(crate) fn chosen_again(regression: &Regression, fit: &Fit, rest: &Fit, term: &Term) -> Gains {
+    let rows = &regression.rows;
+    let share = dealt(rows);
+    let n = share.len();
+    let of_share = |own: usize| {
+        (0..rows.len())
+            .filter(|row| share[row % n] == own)
+            .collect()
+    };
+    let shares: Vec<Vec<usize>> = (0..SHARES).map(of_share).collect();
+    let with = Rescanned::of(
+        regression,
+        fit,
+        vec![any_instead(regression, fit, rest, term)],
+    );
+    let without = Rescanned::as_it_is(regression, rest);
+    let mut squares = vec![[0.0; 2]; n];
+    for (k, of) in [without, with].into_iter().enumerate() {
+        for (own, left) in shares.iter().zip(of.left(&shares, usize::MAX)) {
+            for (row, e) in own.iter().zip(left) {
+                squares[row % n][k] += (rows.mm(*row) * e).powi(2);
+            }
+        }
+    }
+    Gains::of(rows, &squares)
+}
+
+/// A term with all names that may stand in its place and have as many coefficients.
+fn any_instead(regression: &Regression, fit: &Fit, rest: &Fit, term: &Term) -> Scanned {
+    let size = term.coefficients.len();
+    let before = fit.model.terms().iter();
+    let before = before.take_while(|t| !t.same_column(term));
+    let there = regression.added(rest);
+    let all = regression.table.candidates.iter().enumerate();
+    let candidates = all.filter(|(_, c)| {
+        let named = c.what.term();
+        c.size == size && named.is_some_and(|t| compatible(&there, t))
+    });
+    let candidates: Vec<usize> = candidates.map(|c| c.0).collect();
+    let of_table = candidates.iter().map(|i| &regression.table.candidates[*i]);
+    Scanned {
+        first: before.map(|t| t.coefficients.len()).sum(),
+        coefficients: DVector::from_column_slice(&term.coefficients),
+        white: regression.white_columns(&of_table.collect::<Vec<_>>()),
+        candidates,
+    }
+}
+
 /// The scanned terms of a fit that have rivals among their settings.
 fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
     let mut first = 0;
@@ -253,5 +305,35 @@ mod tests {
             let apart = apart.fold(0.0, |most: f64, e| most.max(e.abs()));
             assert!(apart < 1e-3 * expected.amax(), "{apart}");
         }
+    }
+
+    /// An eccentric encoder predicts where it is chosen again; a ripple beside it, fitted to noise at whatever order it is
+    /// likeliest, does not.
+    #[test]
+    fn what_noise_chose_predicts_nothing_where_it_is_chosen_again() {
+        let session = eccentric(15, 0.05);
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
+        let regression = &prepared.regression;
+        let base = regression.fit(&regression.base, &[]);
+        let named = |id: &str, fit: &Fit| {
+            let scores = regression.scan(fit, CandidateSubset::Names);
+            let own = scores.into_iter().filter(|score| {
+                let term = regression.table.candidates[score.candidate].what.term();
+                term.is_some_and(|t| t.effect.about().id == id)
+            });
+            let best = own.max_by(|a, b| a.gain.total_cmp(&b.gain)).unwrap();
+            regression.with(fit, &regression.table.candidates[best.candidate].what)
+        };
+        let gain = |fit: &Fit, rest: &Fit| {
+            let term = regression.added(fit).pop().unwrap();
+            chosen_again(regression, fit, rest, term)
+        };
+        let one = named("encoder-eccentricity", &base);
+        let there = gain(&one, &base);
+        assert!(there.sigmas > 5.0 && there.after_mm < 0.5 * there.before_mm);
+        let two = named("gear-transmission-error", &one);
+        assert!(two.rss < one.rss);
+        let accident = gain(&two, &one);
+        assert!(accident.sigmas < 1.0 && accident.after_mm > accident.before_mm);
     }
 }

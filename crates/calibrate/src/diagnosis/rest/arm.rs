@@ -3,6 +3,7 @@
 //! it brings nothing ([`groups`](super::groups)). It is there only where it predicts cells of the workspace better, by
 //! more than noise does, and poses by which nothing of it was chosen.
 
+use crate::diagnosis::evidence::shares::{Gains, SHARES};
 use crate::effects::Term;
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
@@ -10,7 +11,7 @@ use crate::model::Model;
 use crate::side_by_side::Threads;
 use crate::text::Text;
 
-use super::design::{Design, Gains, SHARES};
+use super::design::Design;
 use super::{BEYOND_DOUBT, LIKELIER};
 
 /// The gain on unseen samples has to be so many times its own standard deviation …

@@ -1,6 +1,7 @@
 //! The columns of the geometry and of the families on the samples, and their products, fold by fold.
 
 use crate::diagnosis::evidence::Folds;
+use crate::diagnosis::evidence::shares::{Gains, dealt};
 use crate::effects::curve::DIRECTIONS;
 use crate::effects::{EACH_DIRECTION, Term};
 use crate::fit::base_model;
@@ -8,22 +9,15 @@ use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::model::Model;
-use crate::sessions::poses::ByPose;
 use crate::side_by_side::Threads;
 use crate::text::Text;
 use nalgebra::{DMatrix, DVector};
-use rand::SeedableRng;
-use rand::seq::SliceRandom;
-use rand_chacha::ChaCha8Rng;
 
 use super::families::Families;
 use super::groups::{NEARLY, Remaining};
 use super::held_out::{HeldOut, Whitened};
 use super::orders::{self, Residual};
 use super::products::Products;
-
-/// Into so many shares the poses are dealt, beside the cells.
-pub(super) const SHARES: usize = 10;
 
 /// A longer session is thinned evenly to so many samples.
 const MOST_SAMPLES: usize = 1500;
@@ -93,14 +87,6 @@ fn known_rows(
     (all, y)
 }
 
-/// What the families bring on unseen cells.
-pub(super) struct Gains {
-    pub(super) before_mm: f64,
-    pub(super) after_mm: f64,
-    /// The gain in units of its standard deviation.
-    pub(super) sigmas: f64,
-}
-
 impl<'a> Design<'a> {
     /// Of the samples of a problem that count; `None` where they are too few.
     pub(super) fn new(
@@ -161,7 +147,7 @@ impl<'a> Design<'a> {
         let base = kept.len();
         let families = Families::of(&model.robot, &rows.inputs);
         let folds = Folds::over_cells(&rows, model);
-        let share = dealt(&ByPose::of_places(&rows.inputs.q, rows.samples.len()));
+        let share = dealt(&rows);
         let with = |all: DMatrix<f64>, y: &DVector<f64>| {
             let mut all = all.insert_column(base, 0.0);
             all.set_column(base, y);
@@ -385,22 +371,7 @@ impl<'a> Design<'a> {
 
     /// What squares of every sample without and with families say of these.
     pub(super) fn gains_of(&self, squares: &[[f64; 2]]) -> Gains {
-        let count = self.rows.lengths().max(1) as f64;
-        let rms = |k: usize| (squares.iter().map(|s| s[k]).sum::<f64>() / count).sqrt();
-        // The rows of a pose share what the robot did not repeat: a pose is one witness.
-        let poses = ByPose::of(self.rows.inputs.pose.as_deref(), squares.len()).samples();
-        let gained = |i: &usize| squares[*i][0] - squares[*i][1];
-        let of_pose = |own: &Vec<usize>| own.iter().map(gained).sum();
-        let gains: Vec<f64> = poses.iter().map(of_pose).collect();
-        let n = gains.len();
-        let mean = gains.iter().sum::<f64>() / n as f64;
-        let spread = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>();
-        let sigma = (spread / (n * n) as f64).sqrt().max(f64::MIN_POSITIVE);
-        Gains {
-            before_mm: rms(0),
-            after_mm: rms(1),
-            sigmas: mean / sigma,
-        }
+        Gains::of(&self.rows, squares)
     }
 
     /// The terms of a model with these strengths, and what they follow.
@@ -412,18 +383,6 @@ impl<'a> Design<'a> {
         let over = all.filter(|(_, s)| **s > 0.0).map(|(f, _)| f.in_words());
         Some((self.families.terms(own, joints), over.collect()))
     }
-}
-
-/// The share of each sample: places are dealt in an order that has nothing to do with theirs in the file, all samples of
-/// one together.
-fn dealt(places: &ByPose) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..places.first.len()).collect();
-    order.shuffle(&mut ChaCha8Rng::seed_from_u64(0));
-    let mut share = vec![0; order.len()];
-    for (rank, place) in order.into_iter().enumerate() {
-        share[place] = rank % SHARES;
-    }
-    places.to_samples(&share)
 }
 
 /// Below this number of rows beyond what the geometry takes nothing is said.

@@ -7,10 +7,12 @@
 //! - `aliases`, `other_settings`: rivals that the samples cannot rule out; `slowest`: of waves at equal steps the slowest.
 //! - `free_curve`: a curve without a name as the rival of names.
 //! - `final_set`, `worth`, `steps`, `own_evidence`: the names tested at the end, and what each adds.
-//! - `floor`, `base_misfit`, `gross_error`: names that are withdrawn because it is the geometry that does not fit.
+//! - `chosen_again`: names that few poses show; `floor`, `base_misfit`, `gross_error`: names that are withdrawn because it is
+//!   the geometry that does not fit.
 
 pub(crate) mod aliases;
 mod base_misfit;
+mod chosen_again;
 mod classes;
 mod clusters;
 mod final_set;

@@ -8,7 +8,7 @@ use crate::set_up_errors::CorrectedSession;
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
-use super::{base_misfit, final_set, free_curve, gross_error, slowest};
+use super::{base_misfit, chosen_again, final_set, free_curve, gross_error, slowest};
 use crate::diagnosis::error::DiagnoseError;
 use crate::diagnosis::evidence::rival;
 use crate::diagnosis::evidence::{FIRST_SEARCH, OTHER_SETS, RIVALS, SECOND_SEARCH, Work};
@@ -70,8 +70,9 @@ pub(crate) fn searched<'a>(
     work.up_to(OTHER_SETS);
     test_at_the_end(&prepared, &mut found, watch)?;
     slowest::readings(&prepared, &mut found);
-    // 5. No name for what few values, the geometry, the rows or the set-up leave.
+    // 5. No name for what few values or poses, the geometry, the rows or the set-up leave.
     free_curve::withdraw_of_few_values(&prepared, &mut found);
+    chosen_again::withdraw(&prepared, &mut found);
     base_misfit::withdraw(&prepared, &mut found);
     gross_error::withdraw(&prepared, &mut found);
     work.up_to(1.0);

@@ -26,7 +26,7 @@ pub(crate) struct Predictor {
     sigma_mm: [f64; 3],
     slow_mm: [f64; 3],
     time_constant_s: f64,
-    before: Option<(f64, u32)>,
+    before: Option<(f64, usize)>,
     covariance: Vec<f64>,
 }
 
@@ -55,7 +55,7 @@ impl Predictor {
     }
 
     /// Goes on to a sample of a pose.
-    pub(crate) fn advance(&mut self, time: f64, pose: u32) -> Passage {
+    pub(crate) fn advance(&mut self, time: f64, pose: usize) -> Passage {
         let passage = Passage {
             moved: self.before.is_none_or(|before| before.1 != pose),
             decay: self
@@ -179,8 +179,8 @@ impl JointFilter {
         let mut rows = vec![0.0; n * axes.len() * width];
         let mut each = rows.chunks_mut(width);
         let mut passages = Vec::with_capacity(n);
-        for (k, (time, pose)) in times.iter().zip(moves.poses).enumerate() {
-            passages.push(predictor.advance(*time, *pose));
+        for (k, (time, pose)) in times.iter().zip(&moves.poses).enumerate() {
+            passages.push(predictor.advance(*time, *pose as usize));
             for (a, axis) in axes.iter().enumerate() {
                 let lever = |joint: usize| moves.levers[(a * n + k, joint)];
                 if let Some(row) = each.next() {
@@ -269,8 +269,8 @@ mod tests {
         let (n, joints) = (poses.len(), 4);
         let levers = DMatrix::from_fn(3 * n, joints, |i, j| ((3 * i + 7 * j) as f64).sin());
         let moves = Moves {
-            poses: &poses,
-            levers: &levers,
+            poses: poses.to_vec(),
+            levers: levers.clone(),
         };
         let slow = Slow {
             rms_mm: [0.7, 0.0, 0.2],

@@ -70,6 +70,22 @@ const CLOSER_SHARES: [f64; 4] = [3.2, 1.8, 1.3, 1.15];
 /// Without it sizes by axis follow chance, and intervals in sweeps held in 89 instead of 92 %.
 pub(crate) const PRICE_OF_A_VARIANCE: f64 = 1.0;
 
+/// The least of the white part beside what the joints do not repeat, mm. Where every row has a pose of its own the joints
+/// could do all that it does: then it is at least what is stated of the instrument.
+fn least_white_mm(stated: Option<Sigma>, rows: &Rows) -> f64 {
+    match stated {
+        Some(sigma) if rows.inputs.pose.is_none() => {
+            let mut noise = Noise::white(0.0);
+            noise.sigma_mm = match sigma {
+                Sigma::Overall(sigma) => [sigma; 3],
+                Sigma::PerAxis(each) => each,
+            };
+            noise.total_mm(&rows.axes)
+        }
+        _ => 0.0,
+    }
+}
+
 impl Noise {
     /// From raw residuals and the columns of the fit that left them.
     pub fn estimate(
@@ -107,6 +123,7 @@ impl Noise {
             return noise;
         }
         let restricted = Restricted::new(rows, residual, columns);
+        let least_mm = least_white_mm(stated, rows);
         let mut slow = NoiseShape::white(noise.sigma_mm);
         let enough = rows.samples.len() >= FEWEST_SAMPLES;
         if enough {
@@ -114,7 +131,7 @@ impl Noise {
             noise.balance_axes(&restricted, slow);
             let white = restricted.likelihood(NoiseShape::white(noise.sigma_mm));
             if may_not_repeat
-                && let Some((joints_rad, _)) = alike.unrepeated(&restricted, slow, white)
+                && let Some((joints_rad, _)) = alike.unrepeated(&restricted, slow, white, least_mm)
             {
                 // An error of the joints makes the axes look unequal as well.
                 (alike.joints_rad, slow.joints_rad) = (joints_rad, joints_rad);
@@ -149,7 +166,8 @@ impl Noise {
                     joints_rad: 0.0,
                 };
                 let alone = restricted.likelihood(beside);
-                let Some((joints_rad, likelihood)) = noise.unrepeated(&restricted, beside, alone)
+                let Some((joints_rad, likelihood)) =
+                    noise.unrepeated(&restricted, beside, alone, least_mm)
                 else {
                     return Self::likeliest(
                         stated,
@@ -193,22 +211,30 @@ impl Noise {
     }
 
     /// What the joints do not repeat beside a noise of so much likelihood, and the likelihood with it; `None` where the
-    /// rows of a pose show none of it, or no pose has several.
+    /// rows show none of it. The white part stays as large as `least_mm`.
     fn unrepeated(
         &self,
         restricted: &Restricted,
         shape: NoiseShape,
         without: f64,
+        least_mm: f64,
     ) -> Option<(f64, f64)> {
         let unit = self.total_mm(&restricted.axes) / restricted.lever_mm()?;
         let at = |ratio: f64| {
             let joints_rad = unit * ratio.sqrt();
+            let beside = NoiseShape {
+                joints_rad,
+                ..shape
+            };
+            let (likelihood, scale) = restricted.likelihood_and_scale(beside);
+            let possible = scale * self.total_mm(&restricted.axes) >= least_mm;
             (
                 ratio,
-                restricted.likelihood(NoiseShape {
-                    joints_rad,
-                    ..shape
-                }),
+                if possible {
+                    likelihood
+                } else {
+                    f64::NEG_INFINITY
+                },
             )
         };
         let better = |a: (f64, f64), b: (f64, f64)| if b.1 > a.1 { b } else { a };
@@ -274,7 +300,7 @@ impl Noise {
     pub fn filter(&self, rows: &Rows) -> Filter {
         let moves = rows.moves().filter(|_| self.joints_rad > 0.0);
         Filter {
-            joints: moves.map(|moves| JointFilter::new(self, &rows.times, &rows.axes, &moves)),
+            joints: moves.map(|moves| JointFilter::new(self, &rows.times, &rows.axes, moves)),
             ..self.filter_over(&rows.times, &rows.axes)
         }
     }

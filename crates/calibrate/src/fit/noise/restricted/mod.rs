@@ -24,7 +24,7 @@ pub(super) struct Restricted<'r> {
     rows: &'r Rows<'r>,
     pub(super) axes: Vec<usize>,
     columns: Columns,
-    /// Columns and residual along all axes, where poses have several rows.
+    /// Columns and residual along all axes, where it is known how rows move with the joints.
     together: Option<DMatrix<f64>>,
 }
 
@@ -55,8 +55,8 @@ impl<'r> Restricted<'r> {
         }
     }
 
-    /// How far a row moves with the joints, root mean square over samples, mm for each rad; `None` where no pose has
-    /// several rows.
+    /// How far a row moves with the joints, root mean square over samples, mm for each rad; `None` where that is
+    /// not known.
     pub(super) fn lever_mm(&self) -> Option<f64> {
         self.together.as_ref()?;
         let moves = self.rows.moves()?;
@@ -145,15 +145,21 @@ impl<'r> Restricted<'r> {
 
     /// Logarithm, up to a constant, with the common size profiled out.
     pub(super) fn likelihood(&self, shape: NoiseShape) -> f64 {
+        self.likelihood_and_scale(shape).0
+    }
+
+    /// The same with that size, in units of σ.
+    pub(super) fn likelihood_and_scale(&self, shape: NoiseShape) -> (f64, f64) {
         let known = self.summed(shape);
         let solved = known.and_then(|summed| Some((summed.solved()?, summed.ln_determinant)));
         let Some((solved, ln_determinant)) = solved else {
-            return f64::NEG_INFINITY;
+            return (f64::NEG_INFINITY, 0.0);
         };
         let freedom = self.freedom();
         let variance = (solved.left / freedom).max(SMALLEST_SIGMA_MM * SMALLEST_SIGMA_MM);
         let ln_determinant = solved.ln_determinant() + ln_determinant;
-        -0.5 * (freedom * variance.ln() + ln_determinant)
+        let ln = -0.5 * (freedom * variance.ln() + ln_determinant);
+        (ln, variance.sqrt())
     }
 }
 
