@@ -62,21 +62,25 @@ struct Sums {
     /// `XᵀX` and `Xᵀy`.
     gram: DMatrix<f64>,
     along: DVector<f64>,
-    /// Of each term's settings `F`: `XᵀF`, `FᵀF` (of each setting alone), `Fᵀy`.
+    /// Of each term's settings `F`: `XᵀF`, `FᵀF` of each setting alone beside one another, `Fᵀy`.
     with: Vec<DMatrix<f64>>,
     own: Vec<DMatrix<f64>>,
     pulls: Vec<DVector<f64>>,
 }
 
 impl Sums {
-    fn of(columns: &DMatrix<f64>, residual: &DVector<f64>, settings: &[DMatrix<f64>]) -> Self {
-        let each = |of: &dyn Fn(&DMatrix<f64>) -> DMatrix<f64>| settings.iter().map(of).collect();
+    /// Settings come with the number of columns of each.
+    fn of(
+        columns: &DMatrix<f64>,
+        residual: &DVector<f64>,
+        settings: &[(usize, DMatrix<f64>)],
+    ) -> Self {
         Self {
             gram: gram(columns),
             along: columns.tr_mul(residual),
-            with: each(&|f| cross(columns, f)),
-            own: each(&gram),
-            pulls: settings.iter().map(|f| f.tr_mul(residual)).collect(),
+            with: settings.iter().map(|(_, f)| cross(columns, f)).collect(),
+            own: settings.iter().map(|(size, f)| grams(f, *size)).collect(),
+            pulls: settings.iter().map(|(_, f)| f.tr_mul(residual)).collect(),
         }
     }
 
@@ -92,6 +96,16 @@ impl Sums {
             pulls: pulls.map(|(a, b)| a - b).collect(),
         }
     }
+}
+
+/// The products of so many columns with each other, beside those of the next so many.
+fn grams(columns: &DMatrix<f64>, size: usize) -> DMatrix<f64> {
+    let mut all = DMatrix::zeros(size, columns.ncols());
+    for first in (0..columns.ncols()).step_by(size) {
+        let own = columns.columns(first, size);
+        all.columns_mut(first, size).copy_from(&own.tr_mul(&own));
+    }
+    all
 }
 
 /// The columns that are fitted, at some places among all, in rows that stay.
@@ -155,7 +169,8 @@ impl Fitted {
         terms: Vec<Scanned>,
     ) -> Self {
         let columns = white.select_columns(&basis.kept);
-        let settings: Vec<DMatrix<f64>> = terms.iter().map(|t| t.white.clone()).collect();
+        let settings = terms.iter().map(|t| (t.size(), t.white.clone()));
+        let settings: Vec<(usize, DMatrix<f64>)> = settings.collect();
         Self {
             all: Sums::of(&columns, &residual, &settings),
             kept: basis.kept.clone(),
@@ -181,13 +196,13 @@ impl Fitted {
         (0..self.kept.len()).filter(|k| !own.contains(k)).collect()
     }
 
-    fn in_rows(&self, rows: &[usize]) -> (DMatrix<f64>, DVector<f64>, Vec<DMatrix<f64>>) {
+    fn in_rows(&self, rows: &[usize]) -> (DMatrix<f64>, DVector<f64>, Vec<(usize, DMatrix<f64>)>) {
         (
             self.columns.select_rows(rows),
             self.residual.select_rows(rows),
             self.terms
                 .iter()
-                .map(|t| t.white.select_rows(rows))
+                .map(|t| (t.size(), t.white.select_rows(rows)))
                 .collect(),
         )
     }
@@ -251,7 +266,7 @@ impl Fitted {
         let mut best = (own_gain * (1.0 + BETTER), None);
         for setting in 0..term.candidates.len() {
             let (first, size) = term.columns(setting);
-            let whole = stay.own[at].view((first, first), (size, size)).into_owned();
+            let whole = stay.own[at].columns(first, size).into_owned();
             let with = with.columns(first, size).into_owned();
             let gain = gain(whole, &with, pulls.rows(first, size).into_owned());
             if gain > best.0 {
@@ -263,7 +278,7 @@ impl Fitted {
 
     /// Puts a setting's columns in the place of the term's own: what is to be explained is then what the fit leaves
     /// with what the term does in it.
-    fn exchange(&self, at: usize, setting: usize, stay: &mut Sums, out: &[DMatrix<f64>]) {
+    fn exchange(&self, at: usize, setting: usize, stay: &mut Sums, out: &[(usize, DMatrix<f64>)]) {
         let term = &self.terms[at];
         let own = self.places(term.first, term.size());
         stay.along += stay.gram.select_columns(&own) * &term.coefficients;
@@ -279,12 +294,13 @@ impl Fitted {
         }
         for (i, a) in own.iter().enumerate() {
             for (j, b) in own.iter().enumerate() {
-                stay.gram[(*a, *b)] = stay.own[at][(first + i, first + j)];
+                stay.gram[(*a, *b)] = stay.own[at][(i, first + j)];
             }
         }
-        let [all, left_out] = [&term.white, &out[at]].map(|f| f.columns(first, size).into_owned());
+        let [all, left_out] =
+            [&term.white, &out[at].1].map(|f| f.columns(first, size).into_owned());
         for (other, with) in stay.with.iter_mut().enumerate() {
-            let now = cross(&all, &self.terms[other].white) - cross(&left_out, &out[other]);
+            let now = cross(&all, &self.terms[other].white) - cross(&left_out, &out[other].1);
             for (k, place) in own.iter().enumerate() {
                 with.set_row(*place, &now.row(k));
             }

@@ -30,7 +30,7 @@ pub struct Filter {
 }
 
 /// Columns that go through the filter together, so that they do not wait for one another.
-const TOGETHER: usize = 8;
+pub(super) const TOGETHER: usize = 8;
 
 impl Filter {
     /// Whitens columns of rows, one column after the other, an axis after the other in each.

@@ -14,6 +14,7 @@
 //! ```
 
 use super::Noise;
+use super::filter::TOGETHER;
 use crate::fit::levers::Moves;
 
 /// Predicts one row after the other from those before: the covariance of the states on the way.
@@ -135,6 +136,13 @@ impl Passage {
             *value *= self.left(joints, state);
         }
     }
+
+    fn through_all(self, joints: usize, states: &mut [Together]) {
+        for (state, values) in states.iter_mut().enumerate() {
+            let left = self.left(joints, state);
+            *values = values.map(|value| value * left);
+        }
+    }
 }
 
 /// How much of the state is left after so long. A clock that jumps back is a restart, after an
@@ -158,6 +166,36 @@ pub(crate) fn whitened(row: &[f64], states: &mut [f64], value: f64) -> f64 {
         *state += gain * new;
     }
     new * spread[0]
+}
+
+/// Values of columns that go through the filter together: so they are added a vector at a time.
+type Together = [f64; TOGETHER];
+
+/// Some columns, one after the other.
+struct Columns<'v> {
+    values: &'v mut [f64],
+    height: usize,
+}
+
+fn gathered(columns: &Columns, row: usize) -> Together {
+    let mut own = [0.0; TOGETHER];
+    for (own, column) in own.iter_mut().zip(columns.values.chunks(columns.height)) {
+        *own = column[row];
+    }
+    own
+}
+
+fn scatter(columns: &mut Columns, row: usize, own: Together) {
+    for (own, column) in own.iter().zip(columns.values.chunks_mut(columns.height)) {
+        column[row] = *own;
+    }
+}
+
+#[inline]
+fn add(to: &mut Together, factor: f64, own: &Together) {
+    for (to, own) in to.iter_mut().zip(own) {
+        *to += factor * own;
+    }
 }
 
 /// The filter of some rows, axis after axis of all samples.
@@ -197,26 +235,34 @@ impl JointFilter {
         }
     }
 
-    fn row(&self, sample: usize, axis: usize) -> &[f64] {
+    /// Of a row the derivatives by the states, the gains, and one over the standard deviation of what is new.
+    fn parts(&self, sample: usize, axis: usize) -> (&[f64], &[f64], f64) {
         let width = 2 * self.states + 1;
         let at = (sample * self.axes + axis) * width;
-        &self.rows[at..at + width]
+        let (derivatives, rest) = self.rows[at..at + width].split_at(self.states);
+        let (gains, spread) = rest.split_at(self.states);
+        (derivatives, gains, spread[0])
     }
 
     /// Whitens columns of rows.
     pub(crate) fn whiten(&self, values: &mut [f64]) {
         let n = self.passages.len();
-        let mut states = vec![0.0; self.states];
-        for column in values.chunks_mut((n * self.axes).max(1)) {
-            states.fill(0.0);
+        self.through(values, |columns, states| {
             for (k, passage) in self.passages.iter().enumerate() {
-                passage.through(self.joints, &mut states);
+                passage.through_all(self.joints, states);
                 for a in 0..self.axes {
-                    let value = &mut column[a * n + k];
-                    *value = whitened(self.row(k, a), &mut states, *value);
+                    let (derivatives, gains, spread) = self.parts(k, a);
+                    let mut new = gathered(columns, a * n + k);
+                    for (h, state) in derivatives.iter().zip(&*states) {
+                        add(&mut new, -h, state);
+                    }
+                    for (gain, state) in gains.iter().zip(&mut *states) {
+                        add(state, *gain, &new);
+                    }
+                    scatter(columns, a * n + k, new.map(|new| new * spread));
                 }
             }
-        }
+        });
     }
 
     /// The transposed of [`whiten`](Self::whiten), from the last row back:
@@ -226,22 +272,31 @@ impl JointFilter {
     /// ```
     pub(crate) fn whiten_transposed(&self, values: &mut [f64]) {
         let n = self.passages.len();
-        let mut later = vec![0.0; self.states];
-        for column in values.chunks_mut((n * self.axes).max(1)) {
-            later.fill(0.0);
+        self.through(values, |columns, later| {
             for (k, passage) in self.passages.iter().enumerate().rev() {
                 for a in (0..self.axes).rev() {
-                    let (derivatives, rest) = self.row(k, a).split_at(self.states);
-                    let (gains, spread) = rest.split_at(self.states);
-                    let value = &mut column[a * n + k];
-                    let gained: f64 = gains.iter().zip(&later).map(|(g, l)| g * l).sum();
-                    *value = *value * spread[0] + gained;
-                    for (later, h) in later.iter_mut().zip(derivatives) {
-                        *later -= h * *value;
+                    let (derivatives, gains, spread) = self.parts(k, a);
+                    let mut own = gathered(columns, a * n + k).map(|z| z * spread);
+                    for (gain, later) in gains.iter().zip(&*later) {
+                        add(&mut own, *gain, later);
                     }
+                    for (h, later) in derivatives.iter().zip(&mut *later) {
+                        add(later, -h, &own);
+                    }
+                    scatter(columns, a * n + k, own);
                 }
-                passage.through(self.joints, &mut later);
+                passage.through_all(self.joints, later);
             }
+        });
+    }
+
+    /// Hands some columns on at a time, each with the states of all, which begin at nothing.
+    fn through(&self, values: &mut [f64], pass: impl Fn(&mut Columns, &mut [Together])) {
+        let height = (self.passages.len() * self.axes).max(1);
+        let mut states = vec![[0.0; TOGETHER]; self.states];
+        for values in values.chunks_mut(height * TOGETHER) {
+            states.fill([0.0; TOGETHER]);
+            pass(&mut Columns { values, height }, &mut states);
         }
     }
 
