@@ -1,5 +1,10 @@
 //! The columns of the geometry and of the families on the samples, and their products, fold by fold.
 
+use nalgebra::{DMatrix, DVector};
+use rand::SeedableRng;
+use rand::seq::SliceRandom;
+use rand_chacha::ChaCha8Rng;
+
 use crate::diagnosis::evidence::Folds;
 use crate::effects::curve::DIRECTIONS;
 use crate::effects::{EACH_DIRECTION, Term};
@@ -11,24 +16,16 @@ use crate::model::Model;
 use crate::sessions::poses::ByPose;
 use crate::side_by_side::Threads;
 use crate::text::Text;
-use nalgebra::{DMatrix, DVector};
-use rand::SeedableRng;
-use rand::seq::SliceRandom;
-use rand_chacha::ChaCha8Rng;
+use crate::{budget, fewest};
 
 use super::families::Families;
-use super::groups::{NEARLY, Remaining};
+use super::groups::Remaining;
 use super::held_out::{HeldOut, Whitened};
 use super::orders::{self, Residual};
 use super::products::Products;
 
 /// Into so many shares the poses are dealt, beside the cells.
 pub(super) const SHARES: usize = 10;
-
-/// A longer session is thinned evenly to so many samples.
-const MOST_SAMPLES: usize = 1500;
-/// Orders that are added at most.
-const MOST_ORDERS: usize = 8;
 
 /// Columns of the geometry and of each family, with their products fold by fold.
 #[derive(Clone)]
@@ -109,7 +106,7 @@ impl<'a> Design<'a> {
         model: &Model,
         threads: Threads,
     ) -> Option<Self> {
-        let problem = problem.thinned(MOST_SAMPLES);
+        let problem = problem.thinned(budget::SAMPLES);
         let rows = Rows::of(&problem).seen_by(model);
         let joints = model.robot.joints.len();
         let probes = (0..joints).map(|joint| Term::absent(&EACH_DIRECTION, joint, 0.0));
@@ -155,7 +152,7 @@ impl<'a> Design<'a> {
                 raw.column_mut(k).unscale_mut(norm);
             }
         }
-        if rows.count() < kept.len() + FEWEST_ROWS {
+        if rows.count() < kept.len() + fewest::TO_SCAN {
             return None;
         }
         let base = kept.len();
@@ -323,7 +320,7 @@ impl<'a> Design<'a> {
 
     /// The joint and the order that what is left shows beyond all noise, if any.
     pub(super) fn next_order(&self, strengths: &[f64]) -> Option<(usize, f64)> {
-        if self.orders >= MOST_ORDERS || !self.noise.is_white() {
+        if self.orders >= budget::ROUNDS || !self.noise.is_white() {
             return None;
         }
         let solved = self.solved(strengths)?;
@@ -370,7 +367,7 @@ impl<'a> Design<'a> {
     pub(super) fn gains(&self, unseen: &HeldOut, strengths: &[f64]) -> Option<Gains> {
         let family = self.family_of();
         let squares = unseen.squares(|remaining| {
-            let refined = remaining.refined(&family, strengths.to_vec(), NEARLY)?;
+            let refined = remaining.refined(&family, strengths.to_vec(), budget::ROUNDS)?;
             Some(remaining.solved(&family, &refined)?.coefficients())
         })?;
         Some(self.gains_of(&squares))
@@ -425,6 +422,3 @@ fn dealt(places: &ByPose) -> Vec<usize> {
     }
     places.to_samples(&share)
 }
-
-/// Below this number of rows beyond what the geometry takes nothing is said.
-const FEWEST_ROWS: usize = 60;
