@@ -500,11 +500,11 @@ fn every_constant_that_decides_is_listed_with_its_reason() {
     let rows: Vec<&str> = listed.lines().filter(|l| l.starts_with("| `")).collect();
     assert!(rows.len() > 200, "{} constants", rows.len());
     for (name, value) in [
-        ("diagnosis::search::forward::CHANCE_OF_A_STEP", "0.002"),
-        ("diagnosis::verdict::excess::MOST_OVER_THE_FLOOR", "1.15"),
+        ("odds::TAKEN", "OnceIn(500.0)"),
+        ("thresholds::NOTICEABLE", "1.15"),
         ("fit::spectrum::RANK_TOLERANCE", "1e-11"),
         ("compensation::set_aside::MOST_SHARE", "0.02"),
-        ("set_up_errors::thresholds::LARGEST_OFFSET_DEG", "45.0"),
+        ("thresholds::LARGEST_OFFSET_DEG", "45.0"),
     ] {
         let row = format!("| `{name}` | {value} | ");
         assert!(rows.iter().any(|line| line.starts_with(&row)), "{row}");

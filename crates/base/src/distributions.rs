@@ -16,6 +16,8 @@ use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 use statrs::function::beta::beta_reg;
 use statrs::function::gamma::ln_gamma;
 
+/// Medians of χ with one, two and three degrees of freedom: of the length of so many coordinates with σ = 1.
+pub const CHI_MEDIANS: [f64; 3] = [0.674_49, 1.177_41, 1.538_17];
 /// Degrees of freedom from which on statrs is not asked.
 const MANY: f64 = 1e4;
 /// Terms of the fraction that are enough for 10¹¹ degrees of freedom.
@@ -80,7 +82,7 @@ fn fraction(a: f64, b: f64, x: f64) -> f64 {
             c = away_from_zero(1.0 + step / c);
             value *= c * d;
         }
-        if (value - before).abs() <= 1e-15 * value.abs() {
+        if (value - before).abs() <= 4.0 * f64::EPSILON * value.abs() {
             break;
         }
     }

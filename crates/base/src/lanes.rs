@@ -3,6 +3,8 @@
 
 /// Samples in a block.
 pub const LANES: usize = 64;
+/// Sums that run side by side, so that they do not wait for one another.
+pub const TOGETHER: usize = 8;
 
 /// One number for each sample of a block.
 pub type Lanes = [f64; LANES];

@@ -10,10 +10,14 @@ pub mod text;
 #[doc(hidden)]
 pub mod atomic;
 #[doc(hidden)]
+pub mod budget;
+#[doc(hidden)]
 pub mod decompose;
 pub mod diagnostic;
 #[doc(hidden)]
 pub mod distributions;
+#[doc(hidden)]
+pub mod fewest;
 #[doc(hidden)]
 pub mod guard;
 pub mod kinematics;
@@ -23,7 +27,11 @@ pub mod lanes;
 pub mod linear;
 #[doc(hidden)]
 pub mod numeric;
+#[doc(hidden)]
+pub mod odds;
 pub mod progress;
+#[doc(hidden)]
+pub mod rounding;
 #[doc(hidden)]
 pub mod side_by_side;
 #[doc(hidden)]

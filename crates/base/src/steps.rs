@@ -1,5 +1,7 @@
 //! Whether the values of a joint are equal steps.
 
+use crate::fewest;
+
 /// Steps are equal where none differs by more than this share from their median.
 pub const EQUAL: f64 = 0.02;
 
@@ -11,7 +13,7 @@ pub fn step_of(values: &[f64]) -> Option<f64> {
     let same = 1e-4 * span;
     let mut steps: Vec<f64> = sorted.windows(2).map(|w| w[1] - w[0]).collect();
     steps.retain(|step| *step > same);
-    if steps.len() < 3 {
+    if steps.len() < fewest::NO_ACCIDENT {
         return None;
     }
     steps.sort_by(f64::total_cmp);

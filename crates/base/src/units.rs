@@ -8,15 +8,19 @@ use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
 
+/// Degrees of half a turn: a phase that is known no better is not known.
+#[doc(hidden)]
+pub const HALF_TURN_DEG: f64 = 180.0;
+/// Millimetres of a metre.
+#[doc(hidden)]
+pub const MM_PER_M: f64 = 1e3;
 /// A longer length, mm, is none of a robot or of what measures it.
 #[doc(hidden)]
 pub const LARGEST_LENGTH_MM: f64 = 1e7;
-/// A larger value of a joint, in degrees or mm, is none.
+/// A larger number of a robot, in its own unit, is none: a joint's value in degrees or mm, a mass, gravity, what a
+/// description states in metres.
 #[doc(hidden)]
-pub const LARGEST_JOINT_VALUE: f64 = 1e6;
-/// A larger mass, kg, is none of a robot.
-#[doc(hidden)]
-pub const LARGEST_MASS_KG: f64 = 1e6;
+pub const LARGEST_NUMBER: f64 = 1e6;
 /// A larger time, s, is none: a clock that counts nanoseconds from 1970 stays below it.
 #[doc(hidden)]
 pub const LARGEST_TIME_S: f64 = 1e20;

@@ -7,8 +7,8 @@
 extern crate truepose_base;
 
 use truepose_base::{
-    decompose, diagnostic, distributions, kinematics, lanes, linear, numeric, side_by_side, sincos,
-    steps, text, units, wide,
+    budget, decompose, diagnostic, distributions, fewest, kinematics, lanes, linear, numeric, odds,
+    rounding, side_by_side, sincos, steps, text, units, wide,
 };
 #[cfg(test)]
 use truepose_model::simulation;
@@ -25,6 +25,7 @@ pub mod fit;
 pub mod paper;
 pub mod row_checks;
 pub mod set_up_errors;
+mod thresholds;
 
 #[cfg(test)]
 #[path = "../../base/src/kinematics/testing.rs"]

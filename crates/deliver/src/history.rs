@@ -11,7 +11,6 @@
 //! What belongs to the measuring set-up (the frame of the instrument) is new in every session and is
 //! never a change. No clock and no date of a file is asked: order comes from what the documents hold.
 
-use crate::text::Text;
 use std::collections::BTreeMap;
 use std::io;
 use std::ops::ControlFlow;
@@ -22,7 +21,7 @@ use serde::Deserialize;
 use crate::compensation::verify;
 use crate::diagnostic::{Diagnostic, Place, Rejected, unreadable};
 use crate::effects::{Inputs, JointValues, Setting, find};
-use crate::fit::uncertainty::{NORMAL_95, all_estimates};
+use crate::fit::uncertainty::{all_estimates, normal_95};
 use crate::fit::{DEFAULT_EFFECTS, Estimate, Identification, identify_exact};
 use crate::model::Calibration;
 use crate::model::format_v1::load_model;
@@ -30,6 +29,7 @@ use crate::progress::{Progress, ReadError, unwatched};
 use crate::sessions::files::open;
 use crate::sessions::load;
 use crate::sessions::{Session, hash_of_samples};
+use crate::text::Text;
 
 /// Everything that a folder tells.
 #[derive(Debug, Clone, PartialEq)]
@@ -327,7 +327,7 @@ fn of_model(path: &Path, file: &str) -> Result<Read, Text> {
             before_mm: gap(steps.first()),
             after_mm: gap(steps.last()),
             with_first_mm: None,
-            parameters: all_estimates(&calibration, NORMAL_95),
+            parameters: all_estimates(&calibration, normal_95()),
             changes: Vec::new(),
         },
         calibration,

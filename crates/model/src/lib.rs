@@ -7,7 +7,8 @@
 extern crate truepose_base;
 
 use truepose_base::{
-    decompose, diagnostic, kinematics, lanes, numeric, progress, sincos, text, units, wide,
+    budget, decompose, diagnostic, distributions, fewest, kinematics, lanes, numeric, progress,
+    rounding, sincos, text, units, wide,
 };
 use truepose_session::{document, sessions};
 

@@ -15,7 +15,7 @@ use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues, Term};
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
-use crate::fit::uncertainty::{NORMAL_95, all_estimates};
+use crate::fit::uncertainty::{all_estimates, normal_95};
 use crate::fit::{DEFAULT_EFFECTS, Gap, Identification, Outlier, Quality, RegionResult};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
@@ -184,7 +184,7 @@ fn identification(
         samples: loaded_session.len(),
         model: model.clone(),
         covariance: covariance.clone(),
-        parameters: all_estimates(&loaded_model.calibration, NORMAL_95),
+        parameters: all_estimates(&loaded_model.calibration, normal_95()),
         regions: regions(loaded_model, loaded_session, verified),
         not_identifiable: Vec::new(),
         gap: Gap {

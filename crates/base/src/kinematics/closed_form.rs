@@ -14,16 +14,16 @@
 
 use nalgebra::{Rotation3, Unit, Vector3};
 
+use crate::rounding;
+
 use super::joint_kind::JointKind;
 use super::pose::Pose;
 use super::robot::Robot;
 
-/// Axes meet, or are parallel, within this part of the reach, or this sine.
-const MEETS: f64 = 1e-7;
+/// Axes cross from this sine on (6°).
+const CROSSING: f64 = 0.1;
 /// Of a circle that is smaller than this (a part of the reach, or a sine) an angle says nothing.
 const NO_CIRCLE: f64 = 1e-5;
-/// A distance beyond the reach by this part of it is its end: files round.
-const ROUNDING: f64 = 1e-6;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Shape {
@@ -53,13 +53,13 @@ impl ClosedForm {
         let reach_mm = robot.reach_mm();
         let axes = std::array::from_fn(|k| robot.joints[k].axis.direction);
         let points = std::array::from_fn(|k| robot.joints[k].axis.point_mm.coords);
-        let parallel = |a: usize, b: usize| axes_cross(&axes, a, b) < MEETS;
+        let parallel = |a: usize, b: usize| axes_cross(&axes, a, b) < rounding::WRITTEN;
         let meet = |a: usize, b: usize| meeting(&axes, &points, a, b, reach_mm);
-        if !parallel(1, 2) || axes_cross(&axes, 0, 1) < 0.1 {
+        if !parallel(1, 2) || axes_cross(&axes, 0, 1) < CROSSING {
             return None;
         }
         let on = |k: usize, at: &Vector3<f64>| {
-            (at - points[k]).cross(&axes[k]).norm() < MEETS * reach_mm
+            (at - points[k]).cross(&axes[k]).norm() < rounding::WRITTEN * reach_mm
         };
         let last = meet(4, 5)?;
         let shape = if parallel(1, 3) {
@@ -189,7 +189,7 @@ impl ClosedForm {
             return None;
         }
         let share = (height - along.dot(&still)) / radius;
-        if share.abs() > 1.0 + ROUNDING * scale / radius {
+        if share.abs() > 1.0 + rounding::WRITTEN * scale / radius {
             return Some(Vec::new());
         }
         let middle = s.atan2(c);
@@ -211,12 +211,7 @@ impl ClosedForm {
     /// The angle of a rotation about the axis of joint k.
     fn own_angle(&self, k: usize, rotation: &Rotation3<f64>) -> f64 {
         let axis = self.axes[k].into_inner();
-        let other = if axis.x.abs() < 0.6 {
-            Vector3::x()
-        } else {
-            Vector3::y()
-        };
-        let from = axis.cross(&other).normalize();
+        let from = axis.cross(&Vector3::ith(axis.iamin(), 1.0)).normalize();
         let to = rotation * from;
         axis.dot(&from.cross(&to)).atan2(from.dot(&to))
     }
@@ -246,11 +241,11 @@ fn meeting(
 ) -> Option<Vector3<f64>> {
     let normal = axes[a].cross(&axes[b]);
     let squared = normal.norm_squared();
-    if squared < 0.01 {
+    if squared < CROSSING * CROSSING {
         return None;
     }
     let between = points[b] - points[a];
-    if (between.dot(&normal) / squared.sqrt()).abs() > MEETS * reach_mm {
+    if (between.dot(&normal) / squared.sqrt()).abs() > rounding::WRITTEN * reach_mm {
         return None;
     }
     let along = between.cross(&axes[b]).dot(&normal) / squared;

@@ -5,19 +5,14 @@
 //! the last three axes meet) against where it is at home, as far as it is off the axis there. A robot
 //! without such a wrist has no such sides, and what a program says about them is not looked at.
 
+use super::inverse::REACHED_RAD;
+use crate::rounding;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::{Point3, Vector3};
 
 use super::joint_kind::JointKind;
 use super::robot::Robot;
-
-/// A joint this near to a border (rad) is on both sides of it: a program rounds.
-const ON_THE_BORDER: f64 = 1e-4;
-/// Axes that pass each other at less than this part of the reach meet.
-const MEETS: f64 = 1e-6;
-/// A wrist this near to a border, as a part of the reach, is on no side of it.
-const OFF_THE_AXIS: f64 = 1e-6;
 
 /// One statement about a configuration, which a long program makes hundreds of thousands of times. Joints are counted
 /// from 0; a robot has at most 100.
@@ -77,7 +72,7 @@ impl Statement {
             let turning = robot.joints.get(joint)?.kind == JointKind::Revolute;
             turning.then(|| q[joint])
         };
-        let around = |value: f64| [value - ON_THE_BORDER, value + ON_THE_BORDER];
+        let around = |value: f64| [value - REACHED_RAD, value + REACHED_RAD];
         match self {
             Self::Quadrant { joint, quadrant } => {
                 let near = around(angle(*joint)?);
@@ -129,7 +124,7 @@ impl Sides {
         // The point of the fifth axis that is nearest to the fourth, which all three have to share.
         let (u, v) = (fourth.direction.into_inner(), fifth.direction.into_inner());
         let square = 1.0 - u.dot(&v).powi(2);
-        if square < MEETS {
+        if square < rounding::WRITTEN {
             return None;
         }
         let between = fourth.point_mm - fifth.point_mm;
@@ -139,7 +134,7 @@ impl Sides {
             let arm = wrist_mm - axis.point_mm;
             axis.direction.cross(&arm).norm()
         };
-        let meet = off(fourth).max(off(sixth)) <= MEETS.sqrt() * reach_mm;
+        let meet = off(fourth).max(off(sixth)) <= rounding::WRITTEN.sqrt() * reach_mm;
         meet.then_some(Self { wrist_mm, reach_mm })
     }
 
@@ -155,7 +150,7 @@ impl Sides {
         let axis = robot.joints[0].axis.direction.into_inner();
         let across = |v: Vector3<f64>| v - axis * axis.dot(&v);
         let home = across(self.wrist_mm - robot.joints[0].axis.point_mm);
-        let clear = home.norm() > OFF_THE_AXIS * self.reach_mm;
+        let clear = home.norm() > rounding::WRITTEN * self.reach_mm;
         let here = across(self.seen_by_the_first(robot, q));
         clear.then(|| home.dot(&here) < 0.0)
     }
@@ -172,7 +167,7 @@ impl Sides {
             along.dot(&elbow.cross(&wrist))
         };
         let home = side(&vec![0.0; q.len()]);
-        let clear = home.abs() > OFF_THE_AXIS * self.reach_mm * self.reach_mm;
+        let clear = home.abs() > rounding::WRITTEN * self.reach_mm * self.reach_mm;
         clear.then(|| home * side(&still) < 0.0)
     }
 }

@@ -13,11 +13,11 @@
 
 use nalgebra::{Point3, Vector3};
 
+use crate::units::MM_PER_M;
+
 use super::joint_kind::JointKind;
 use super::pose::Pose;
 use super::robot::Robot;
-
-const M_PER_MM: f64 = 1e-3;
 
 /// A mass where it is at the pose in question.
 struct PosedMass {
@@ -46,7 +46,7 @@ impl Robot {
 
     fn torque_unit(&self, joint: usize) -> f64 {
         match self.joints[joint].kind {
-            JointKind::Revolute => M_PER_MM,
+            JointKind::Revolute => 1.0 / MM_PER_M,
             JointKind::Prismatic => 1.0,
         }
     }

@@ -13,6 +13,8 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::{budget, rounding};
+
 use nalgebra::{DMatrix, DVector, Point3, UnitQuaternion, Vector3};
 
 use super::closed_form::ClosedForm;
@@ -23,10 +25,6 @@ use super::robot::{Robot, value_of};
 
 /// Starts that are spread over the travel.
 const STARTS: usize = 72;
-/// Steps of one search; one that has not settled by then leads nowhere.
-const MOST_STEPS: usize = 60;
-/// A step below this (rad, or the same part of the reach) changes nothing any more.
-const SETTLED: f64 = 1e-13;
 /// A pose is reached when no more than this is missing, mm: files round to hundredths.
 pub const REACHED_MM: f64 = 0.02;
 /// The same for the orientation, rad.
@@ -93,7 +91,7 @@ impl<'a> Inverse<'a> {
         self.robot.follow(&mut q);
         let mut left = self.missing(goal, &q);
         let mut damping = 1e-3;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..budget::STEPS {
             let jacobian = self.jacobian(goal, &q);
             let normal = jacobian.transpose() * &jacobian;
             let downhill = jacobian.transpose() * &left;
@@ -102,11 +100,11 @@ impl<'a> Inverse<'a> {
             let trial_left = self.missing(goal, &trial);
             if trial_left.norm_squared() <= left.norm_squared() {
                 (q, left) = (trial, trial_left);
-                damping = (damping * 0.1).max(1e-15);
-                if step.amax() < SETTLED {
+                damping = (damping * 0.1).max(f64::EPSILON);
+                if step.amax() < rounding::LAST_BITS {
                     break;
                 }
-            } else if damping > 1e6 || step.amax() < SETTLED {
+            } else if damping * rounding::LAST_BITS > 1.0 || step.amax() < rounding::LAST_BITS {
                 break;
             } else {
                 damping *= 10.0;
@@ -332,7 +330,9 @@ impl<'a> Inverse<'a> {
                 for by in steps {
                     let value = q[*joint] + by;
                     let inside = match limits {
-                        Some(l) => value >= l.from - ON_THE_LIMIT && value <= l.to + ON_THE_LIMIT,
+                        Some(l) => {
+                            value >= l.from - rounding::WRITTEN && value <= l.to + rounding::WRITTEN
+                        }
                         None => *by == 0.0 || value.abs() <= TAU,
                     };
                     if inside && further.len() < MOST_SOLUTIONS {
@@ -354,8 +354,6 @@ fn other_side(value: f64) -> f64 {
     2.0 * value
 }
 
-/// A pose that was written with few digits may lie beyond the limit by so much, rad or mm.
-const ON_THE_LIMIT: f64 = 1e-6;
 /// More are a pose through which lines of solutions run.
 const MOST_SOLUTIONS: usize = 512;
 const PRIMES: [usize; 8] = [2, 3, 5, 7, 11, 13, 17, 19];

@@ -13,14 +13,11 @@
 use nalgebra::Matrix6xX;
 
 use crate::decompose;
+use crate::numeric::GOLDEN_ANGLE;
 
 use super::pose::Pose;
 use super::robot::{Robot, value_of};
 use super::screw::{Twist, joint_motion};
-
-/// Joint values at which [`Robot::mobility`] looks, in turns of the golden angle: no two joints
-/// alike, and far from the angles where robots are built to be singular.
-const GENERIC_STEP: f64 = 2.399_963_229_728_653;
 
 impl Robot {
     /// The twist of each joint at `q`, in the base frame, per unit of its value.
@@ -53,7 +50,7 @@ impl Robot {
             .max(1.0);
         let rank_at = |seed: usize| {
             let q: Vec<f64> = (0..self.joints.len())
-                .map(|joint| (GENERIC_STEP * (joint + seed) as f64) % 2.0 - 1.0)
+                .map(|joint| (GOLDEN_ANGLE * (joint + seed) as f64) % 2.0 - 1.0)
                 .collect();
             let mut jacobian = self.space_jacobian(&q);
             // mm against rad: lengths in units of the reach make the singular values comparable.

@@ -4,7 +4,8 @@ use super::joint_kind::JointKind;
 use super::pose::Pose;
 use super::robot::{Axis, Joint, MOST_JOINTS, Robot};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG};
+use crate::rounding;
+use crate::units::{LARGEST_LENGTH_MM, LARGEST_NUMBER};
 
 impl Robot {
     /// Everything that makes the robot unusable (errors) or suspicious (warnings), each at `place`
@@ -85,7 +86,7 @@ impl Robot {
         }
         if self
             .gravity_m_s2
-            .is_some_and(|g| !g.iter().all(|x| x.abs() <= 1e6))
+            .is_some_and(|g| !g.iter().all(|x| x.abs() <= LARGEST_NUMBER))
         {
             problems.push(Diagnostic::error(
                 place.clone().in_field("robot.gravity_m_s2"),
@@ -144,7 +145,7 @@ fn joint_problems(joint: &Joint, place: &Place) -> Vec<Diagnostic> {
     let axis = &joint.axis;
     if !axis.direction.iter().all(|x| x.is_finite())
         || !axis.point_mm.iter().all(|x| x.abs() <= LARGEST_SUM_MM)
-        || (axis.direction.norm() - 1.0).abs() > 1e-9
+        || (axis.direction.norm() - 1.0).abs() > rounding::COMPUTED
     {
         problems.push(Diagnostic::error(
             place.clone(),
@@ -155,8 +156,8 @@ fn joint_problems(joint: &Joint, place: &Place) -> Vec<Diagnostic> {
     if let Some(limits) = joint.limits
         // Written so that a NaN is refused too.
         && !(limits.from < limits.to
-            && limits.from.abs() <= LARGEST_JOINT_VALUE
-            && limits.to.abs() <= LARGEST_JOINT_VALUE)
+            && limits.from.abs() <= LARGEST_NUMBER
+            && limits.to.abs() <= LARGEST_NUMBER)
     {
         problems.push(Diagnostic::error(
             place.clone(),
@@ -169,7 +170,7 @@ fn joint_problems(joint: &Joint, place: &Place) -> Vec<Diagnostic> {
         ));
     }
     if let Some(link) = joint.link {
-        if !(0.0..=LARGEST_MASS_KG).contains(&link.mass_kg) {
+        if !(0.0..=LARGEST_NUMBER).contains(&link.mass_kg) {
             problems.push(Diagnostic::error(
                 place.clone(),
                 text!("a link of {mass_kg} kg", mass_kg = link.mass_kg),
@@ -199,11 +200,11 @@ fn move_alike(one: &Joint, other: &Joint) -> bool {
 fn are_one_line(one: &Axis, other: &Axis) -> bool {
     let between_mm = other.point_mm - one.point_mm;
     let off_line_mm = one.direction.cross(&between_mm).norm();
-    are_parallel(one, other) && off_line_mm < 1e-9 * (1.0 + between_mm.norm())
+    are_parallel(one, other) && off_line_mm < rounding::COMPUTED * (1.0 + between_mm.norm())
 }
 
 fn are_parallel(one: &Axis, other: &Axis) -> bool {
-    one.direction.cross(&other.direction).norm() < 1e-9
+    one.direction.cross(&other.direction).norm() < rounding::COMPUTED
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 /// Below this angle (rad) the quotients are computed by their series; the terms left out are
 /// smaller than θ⁶/322560 < 1e-19.
-const SMALL_RAD: f64 = 1e-2;
+pub const SMALL_RAD: f64 = 1e-2;
 
 /// The rotation by |`rotation_rad`| about `rotation_rad`.
 pub fn exp(rotation_rad: &Vector3<f64>) -> UnitQuaternion<f64> {
@@ -44,7 +44,7 @@ pub fn log(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
     };
     let sine = vector.norm();
     // θ / sin(θ/2) → 2 (1 + s²/6 + 3s⁴/40), the series of 2 asin(s)/s.
-    let angle_over_sine = if sine < 0.5 * SMALL_RAD {
+    let angle_over_sine = if 2.0 * sine < SMALL_RAD {
         let squared = sine * sine;
         2.0 + squared / 3.0 * (1.0 + squared * 9.0 / 20.0)
     } else {

@@ -3,13 +3,11 @@
 
 use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
-/// A turn that moves the points by less than this share of their spread (as squares) is not shown by them: of poses
-/// that stand on a line, or of two, the smallest turn is taken.
-const NOT_SHOWN: f64 = 1e-6;
+use crate::{fewest, rounding};
 
 /// `to ≈ motion · from` over pairs (from, to); `None` with fewer than three.
 pub fn rigid_motion(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Isometry3<f64>> {
-    if pairs.len() < 3 {
+    if pairs.len() < fewest::OF_A_BODY {
         return None;
     }
     let n = pairs.len() as f64;
@@ -24,7 +22,7 @@ pub fn rigid_motion(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Isometry3<
         .map(|(from, to)| (to - to_centre).norm() * (from - from_centre).norm())
         .sum();
     // With a thousandth of a millimetre of each, where all stand on one point.
-    let not_shown = NOT_SHOWN * (spread + n);
+    let not_shown = rounding::WRITTEN * (spread + n);
     let mut svd = crate::decompose::svd(moment)?;
     if svd.singular_values.sum() - svd.singular_values.max() < not_shown {
         svd = crate::decompose::svd(moment + Matrix3::identity() * not_shown)?;

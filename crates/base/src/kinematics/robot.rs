@@ -5,12 +5,11 @@
 
 use nalgebra::{Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 
+use crate::rounding;
+
 use super::dh_row::{DhRow, link_frames};
 use super::joint_kind::JointKind;
 use super::pose::Pose;
-
-/// Below this length a direction is taken to be zero: what is left of it is rounding.
-const SHORTEST_DIRECTION: f64 = 1e-12;
 
 /// A chain with more joints is a mistake, and its fit would not end.
 #[doc(hidden)]
@@ -73,7 +72,7 @@ impl Axis {
         }
         // Scaling by the largest component first keeps huge and tiny directions from overflowing.
         let largest = direction.amax();
-        if largest < SHORTEST_DIRECTION {
+        if largest < rounding::COMPUTED {
             return Err(KinematicsError::ZeroAxis);
         }
         Ok(Self {
@@ -111,7 +110,7 @@ pub fn pose_from_parts(
         });
     }
     let largest = quaternion_wxyz.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    if largest < SHORTEST_DIRECTION {
+    if largest < rounding::COMPUTED {
         return Err(KinematicsError::ZeroQuaternion);
     }
     let [w, x, y, z] = quaternion_wxyz.map(|part| part / largest);
@@ -284,7 +283,7 @@ impl Robot {
         let on_axis = |(frame, joint): (&Pose, &Joint)| {
             let off = frame.translation.vector - joint.axis.point_mm.coords;
             let reach = 1.0 + off.norm() + joint.axis.point_mm.coords.norm();
-            off.cross(&joint.axis.direction).norm() < 1e-9 * reach
+            off.cross(&joint.axis.direction).norm() < rounding::COMPUTED * reach
         };
         let same = described.len() == self.joints.len();
         if same && described.iter().zip(&self.joints).all(on_axis) {
@@ -329,7 +328,7 @@ mod tests {
 
     #[test]
     fn an_axis_is_normalised_whatever_its_length() {
-        for length in [1e-9, 1.0, 1e300] {
+        for length in [rounding::COMPUTED, 1.0, 1e300] {
             let axis = Axis::through(Vector3::new(0.0, 3.0, 4.0) * length, Point3::origin());
             let direction = axis.unwrap().direction;
             assert!((direction.into_inner() - Vector3::new(0.0, 0.6, 0.8)).norm() < 1e-15);

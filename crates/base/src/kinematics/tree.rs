@@ -10,10 +10,11 @@
 //! tool, each moving joint one axis at home. What is fixed to a link is part of it; a side branch
 //! with a joint of its own is left out, because its pose is not known.
 
+use nalgebra::{Point3, Unit, Vector3};
+
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::text::Text;
-use crate::units::LARGEST_JOINT_VALUE;
-use nalgebra::{Point3, Unit, Vector3};
+use crate::units::{LARGEST_NUMBER, MM_PER_M};
 
 use super::joint_kind::JointKind;
 use super::pose::Pose;
@@ -384,7 +385,7 @@ fn add_mass(link: &mut Option<LinkMass>, mass_kg: f64, centre_mm: Point3<f64>) {
 /// Limits where both ends say something.
 pub(super) fn limits(from: f64, to: f64) -> Option<Range> {
     // Some programs write 1e16 for a joint without limits.
-    let within = |end: f64| end.abs() <= LARGEST_JOINT_VALUE;
+    let within = |end: f64| end.abs() <= LARGEST_NUMBER;
     let known = from < to && within(from) && within(to);
     known.then_some(Range { from, to })
 }
@@ -405,5 +406,3 @@ fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
     }
     names.join(", ")
 }
-
-pub(super) const MM_PER_M: f64 = 1e3;

@@ -13,7 +13,6 @@
 //!
 //! Source: the XML specification at wiki.ros.org/urdf/XML. No input makes this panic.
 
-use crate::text::Template;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -22,9 +21,11 @@ use nalgebra::{Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use super::joint_kind::JointKind;
 use super::pose::Pose;
 use super::robot::Robot;
-use super::tree::{Body, BodyJoint, BodyName, MM_PER_M, Mass, Mimic, Motion, Tree, limits};
+use super::tree::{Body, BodyJoint, BodyName, Mass, Mimic, Motion, Tree, limits};
 use super::xml::{Document, ROOT};
 use crate::diagnostic::{Place, Rejected};
+use crate::text::Template;
+use crate::units::MM_PER_M;
 
 /// The chain from link `base` to link `tip` of the URDF document `text`, which came from `file`.
 ///

@@ -1,7 +1,6 @@
 //! A URDF file whose joints are moved in its own text: everything else in it (links, visuals, meshes,
 //! inertials, comments, other joints) stays as it is, to the byte.
 
-use crate::text::Text;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::ops::Range;
@@ -14,10 +13,8 @@ use super::robot::Robot;
 use super::urdf;
 use super::xml::{Document, ROOT};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
-
-/// Chains that differ by less are the same: mm, and as a part of an axis's direction.
-const SAME_MM: f64 = 1e-6;
-const SAME_DIRECTION: f64 = 1e-9;
+use crate::rounding;
+use crate::text::Text;
 
 /// A joint of a chain, as the file has it.
 #[derive(Debug, Clone, PartialEq)]
@@ -170,7 +167,7 @@ fn between(
 
 fn same(one: &Pose, other: &Pose) -> bool {
     let apart = one.translation.vector - other.translation.vector;
-    apart.norm() < SAME_MM && one.rotation.angle_to(&other.rotation) < 1e-8
+    apart.norm() < rounding::WRITTEN && one.rotation.angle_to(&other.rotation) < rounding::WRITTEN
 }
 
 /// What differs first between the joints of two robots.
@@ -187,10 +184,10 @@ fn difference(found: &Robot, robot: &Robot) -> Option<Text> {
         let off = own.axis.point_mm - other.axis.point_mm;
         let across = off - other.axis.direction.into_inner() * off.dot(&other.axis.direction);
         let elsewhere =
-            own.kind == super::joint_kind::JointKind::Revolute && across.norm() > SAME_MM;
+            own.kind == super::joint_kind::JointKind::Revolute && across.norm() > rounding::WRITTEN;
         (own.name != other.name
             || own.kind != other.kind
-            || direction.norm() > SAME_DIRECTION
+            || direction.norm() > rounding::COMPUTED
             || elsewhere)
             .then(|| text!("the joint '{name}' is elsewhere in it", name = &other.name))
     };

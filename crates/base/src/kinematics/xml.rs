@@ -5,7 +5,6 @@
 //! message needs them. What is no well-formed XML is refused with its place; so are numbers that
 //! are none.
 
-use crate::text::Text;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -15,13 +14,14 @@ use super::xml_budget;
 use super::xml_source::{Piece, Source};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::guard;
+use crate::text::Text;
 
 /// Files larger than this, in bytes, are no robot descriptions.
 const LARGEST_FILE: u64 = 64 << 20;
 /// Documents with more elements and texts than this are no robot descriptions; each wants some 150 bytes.
 const MOST_NODES: u32 = 100_000;
-/// So many files may be included.
-const MOST_FILES: usize = 64;
+/// So many files may be included, and so many elements say what another lacks.
+pub(super) const MOST_FILES: usize = 64;
 
 /// An element, as places in its text.
 #[derive(Debug)]
@@ -379,7 +379,7 @@ impl Document {
 /// Metres, angles and kilograms of a robot: what is beyond 10⁶ is none of them, and lengths in mm are
 /// checked once more where the chain is built.
 fn is_in_range(number: f64) -> bool {
-    number.abs() <= 1e6
+    number.abs() <= crate::units::LARGEST_NUMBER
 }
 
 fn is_too_large(text: &str) -> bool {

@@ -8,12 +8,10 @@ use crate::text::{Template, Text};
 /// What is wrong: at which byte, what was found, what was expected.
 type Refusal = (usize, Text, Text);
 
-/// Attributes of one element.
+/// Attributes of one element, and declarations of namespaces in a document.
 const MOST_ATTRIBUTES: usize = 1000;
 /// Attributes of a document.
 const MOST_IN_ALL: usize = 500_000;
-/// Declarations of namespaces in a document.
-const MOST_NAMESPACES: usize = 1000;
 /// Bytes between the first and the last declaration of an entity, and their number.
 const LARGEST_DECLARATIONS: usize = 1 << 16;
 const MOST_ENTITIES: usize = 200;
@@ -64,10 +62,10 @@ fn attributes(text: &[u8]) -> Result<(), Refusal> {
             text!("an element with {own} attributes", own)
         } else if in_all > MOST_IN_ALL {
             text!("more than {most} attributes", most = MOST_IN_ALL)
-        } else if namespaces > MOST_NAMESPACES {
+        } else if namespaces > MOST_ATTRIBUTES {
             text!(
                 "more than {most} declarations of namespaces",
-                most = MOST_NAMESPACES
+                most = MOST_ATTRIBUTES
             )
         } else {
             continue;

@@ -13,7 +13,7 @@ use super::products::{gram, reject_all};
 use super::triangle::{inverse_of_lower, small_cholesky};
 
 /// A column of which less than this share is left after projection is a copy of the others.
-const DEPENDENT: f64 = 1e-6;
+pub const DEPENDENT: f64 = 1e-6;
 
 /// `C = Q₀ B + Q R` of columns beside orthonormal ones `Q₀`.
 struct Orthonormal {

@@ -3,21 +3,20 @@
 
 use nalgebra::DMatrix;
 
+use crate::lanes::LANES;
+
 /// `Aᵀ B`.
 pub fn cross(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     a.transpose() * b
 }
-
-/// Rows of a Gram matrix that are made at once.
-const GRAM_ROWS: usize = 48;
 
 /// `Aᵀ A` of some columns: its lower half by blocks of rows, the other half is the same.
 pub fn gram(a: &DMatrix<f64>) -> DMatrix<f64> {
     let p = a.ncols();
     let transposed = a.transpose();
     let mut gram = DMatrix::zeros(p, p);
-    for first in (0..p).step_by(GRAM_ROWS) {
-        let end = (first + GRAM_ROWS).min(p);
+    for first in (0..p).step_by(LANES) {
+        let end = (first + LANES).min(p);
         let rows = transposed.rows(first, end - first);
         let mut block = gram.view_mut((first, 0), (end - first, end));
         block.gemm(1.0, &rows, &a.columns(0, end), 0.0);
@@ -52,7 +51,7 @@ mod tests {
 
     #[test]
     fn a_gram_matrix_is_every_product() {
-        for p in [1, GRAM_ROWS, 2 * GRAM_ROWS + 5] {
+        for p in [1, LANES, 2 * LANES + 5] {
             let a = wild(71, p);
             let gram = gram(&a);
             assert!((&gram - a.tr_mul(&a)).amax() < 1e-12);

@@ -1,10 +1,7 @@
 //! Detection limits: how large an effect would have had to be to be seen.
 
-/// Sizes below this, in any unit of a parameter, are rounding: without noise nothing hides.
-const ROUNDING: f64 = 1e-9;
-
-/// Above this the poses do not show the effect at all, but for rounding: a kilometre, many turns.
-const ABSURD: f64 = 1e6;
+use crate::rounding;
+use crate::units::LARGEST_NUMBER;
 
 /// From which size an effect would have been seen.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,8 +18,8 @@ impl Detectability {
     /// What a detection limit says.
     pub fn of(size: f64) -> Self {
         match size {
-            size if size < ROUNDING => Self::AtAnySize,
-            size if size <= ABSURD => Self::Above(size),
+            size if size < rounding::COMPUTED => Self::AtAnySize,
+            size if size <= LARGEST_NUMBER => Self::Above(size),
             // What is not a number belongs here as well.
             _ => Self::AtNoSize,
         }

@@ -3,11 +3,7 @@
 use super::diagnosis::DataProblem;
 use super::identification::Identification;
 use crate::text::length;
-
-/// More than this share of the samples are no accidents …
-const MOST_SHARE: f64 = 0.1;
-/// … and neither are so many of few.
-const FEWEST: usize = 5;
+use crate::{fewest, thresholds};
 
 impl Identification {
     /// What there is to say where more samples were set aside than accidents explain: the figures are those of the
@@ -16,7 +12,7 @@ impl Identification {
     pub fn many_set_aside(&self) -> Option<DataProblem> {
         let aside = self.outliers.len();
         let all = self.samples - self.left_out.len().min(self.samples);
-        if aside < FEWEST || aside as f64 <= MOST_SHARE * all as f64 {
+        if aside < fewest::OF_A_PART || aside as f64 <= thresholds::MOST_WRONG * all as f64 {
             return None;
         }
         // Of a sample without a point no length is known.

@@ -4,6 +4,7 @@
 use crate::sessions::{Session, Sigma};
 use crate::text::Text;
 use crate::text::length;
+use crate::thresholds;
 
 /// Share of the probability (a log-likelihood while they are compared), time constant in seconds, and
 /// variances of the slow part in units of the white one's.
@@ -182,9 +183,6 @@ pub struct StatedNoise {
     pub found_mm: f64,
 }
 
-/// Stated and found noise that differ by more than this factor are told.
-const WORTH_TELLING: f64 = 1.15;
-
 impl StatedNoise {
     /// Stated and found noise of the measured axes.
     pub fn of(stated: Sigma, found_mm: [f64; 3], axes: &[usize]) -> Self {
@@ -201,7 +199,7 @@ impl StatedNoise {
     /// Whether the two differ by more than 15 %.
     pub fn differs(&self) -> bool {
         let ratio = self.found_mm / self.stated_mm;
-        !(WORTH_TELLING.recip()..=WORTH_TELLING).contains(&ratio)
+        !(thresholds::NOTICEABLE.recip()..=thresholds::NOTICEABLE).contains(&ratio)
     }
 
     /// In words.

@@ -5,20 +5,14 @@
 //! is dropped, and a common shift of the new one is fitted to the samples. Frames that the model does not
 //! know are fitted with it, in turns.
 
-use crate::text::{Text, components};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::effects::{Inputs, Role, TOOL_POSITION, Term};
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
 use crate::sessions::{Session, hash_of_samples};
-
-/// Frames and tool are fitted in turns at most so often; each turn leaves a small part of an error.
-const MOST_TURNS: usize = 50;
-/// A step below this changes nothing any more, mm.
-const SETTLED_MM: f64 = 1e-9;
-/// Below this part of the largest a direction of the shift is not shown by the samples.
-const FLATTEST: f64 = 1e-9;
+use crate::text::{Text, components};
+use crate::{budget, rounding};
 
 /// Whether a term says where a tool or a target is.
 fn is_place_of_the_tool(term: &Term) -> bool {
@@ -51,7 +45,7 @@ pub(super) fn carried_over(
         covariance: None,
         ..calibration.clone()
     };
-    for _ in 0..MOST_TURNS {
+    for _ in 0..budget::STEPS {
         let model = applied(&carried);
         let Some(step) = step(&model, session, problem) else {
             break;
@@ -64,7 +58,7 @@ pub(super) fn carried_over(
             term
         });
         carried.model = Model::new(carried.model.robot.clone(), terms.collect());
-        if step.norm() < SETTLED_MM {
+        if step.norm() < rounding::COMPUTED {
             break;
         }
     }
@@ -132,7 +126,7 @@ fn step(model: &Model, session: &Session, problem: &Problem) -> Option<Vector3<f
     let mut step = Vector3::zeros();
     for k in 0..3 {
         let vector = eigen.eigenvectors.column(k).into_owned();
-        if most > 0.0 && eigen.eigenvalues[k] > FLATTEST * most {
+        if most > 0.0 && eigen.eigenvalues[k] > rounding::COMPUTED * most {
             step += vector * (vector.dot(&downhill) / eigen.eigenvalues[k]);
         }
     }

@@ -10,14 +10,11 @@ use std::borrow::Cow;
 use crate::model::{Calibration, SetUp};
 use crate::sessions::{Session, SessionCorrection, Setups};
 use crate::text::{Template, Text};
+use crate::thresholds;
 
 use super::as_read::verify_as_read;
 use super::verification::{Verification, VerifyError, is_own};
 
-/// An error that is so many times as large is another reading's.
-/// A session is read by the model's set-up corrections unless that leaves so many times as much
-/// as without.
-const FAR_WORSE: f64 = 5.0;
 /// What the program calls a frame that it fits to samples which name none.
 const NEW_FRAME: &str = "fitted here";
 
@@ -62,7 +59,7 @@ pub(super) fn verified(
     others.push((Cow::Borrowed(session), says));
     for (read, says) in others {
         if let Ok(other) = by(&read, Some(says.into()))
-            && FAR_WORSE * other.model.rms_mm < best.model.rms_mm
+            && thresholds::FAR * other.model.rms_mm < best.model.rms_mm
         {
             best = other;
         }

@@ -6,14 +6,7 @@
 use super::{TableError, VerifiedCalibration};
 use crate::kinematics::JointKind;
 use crate::model::Calibration;
-
-/// A model that leaves more than this share of the robot's size corrects nothing. (Measured: of 119 sessions, real,
-/// of practice and bundled, none leaves more than 0.0019 of the spread of its points.)
-const MOST_OF_SIZE: f64 = 0.03;
-/// From this share on it has to be at least so much better than the nominal robot. (Derived: a servo with a degree
-/// of play leaves sin 1° = 0.017 of its reach, and its zeros are worth correcting.)
-const WORTH_OF_SIZE: f64 = 0.01;
-const LEAVES_OF_NOMINAL: f64 = 0.5;
+use crate::thresholds::{GROSS_SHARE, HALF, PLAUSIBLE_SHARE};
 
 impl VerifiedCalibration {
     /// That commands may be corrected with it: what every table, program and description asks first.
@@ -29,8 +22,10 @@ impl VerifiedCalibration {
         };
         let size_mm = size_mm(self);
         let left_mm = last.gap_mm;
-        let gains = left_mm < LEAVES_OF_NOMINAL * nominal.gap_mm;
-        if left_mm > MOST_OF_SIZE * size_mm || left_mm > WORTH_OF_SIZE * size_mm && !gains {
+        // A servo with a degree of play leaves sin 1° = 0.017 of its reach, and its zeros are worth correcting: what is gross
+        // has to gain.
+        let gains = left_mm < HALF * nominal.gap_mm;
+        if left_mm > PLAUSIBLE_SHARE * size_mm || left_mm > GROSS_SHARE * size_mm && !gains {
             return Err(TableError::Gross { left_mm, size_mm });
         }
         Ok(())

@@ -1,8 +1,6 @@
 //! The gate: what leaves the program is made from a [`VerifiedCalibration`], and only this module makes one, of a
 //! calibration that does on the very session that it came from what was said of it.
 
-use crate::text::Text;
-use crate::text::length;
 use std::ops::Deref;
 use std::path::Path;
 
@@ -11,22 +9,17 @@ use crate::effects::Inputs;
 use crate::model::{Calibration, ResidualStep, format_v1};
 use crate::numeric::median;
 use crate::sessions::Session;
+use crate::text::Text;
+use crate::text::length;
+use crate::thresholds::NOTHING_MM;
+use crate::{fewest, rounding, thresholds};
 
 use super::verification::{Verification, VerifyError};
 use super::verify::verify;
 
-/// The error on its own session may be so many times what was said: suspected outliers, and samples that lack
-/// a condition, are judged in one place and not in the other. A convention that is lost is far beyond.
-const MOST_TIMES: f64 = 2.0;
 /// It may be so many times the nominal robot's: where the robot is as it was drawn, a fit that weighs the
 /// coordinates unlike each other gains nothing and loses this much at most.
 const MOST_TIMES_NOMINAL: f64 = 1.05;
-/// With fewer held-out samples one or two that are wrong are the half.
-const FEWEST_HELD_OUT: usize = 8;
-/// Below this nothing is said, mm.
-const NOTHING_MM: f64 = 1e-3;
-/// Two figures of one fit differ by rounding alone.
-const ROUNDING: f64 = 1e-9;
 
 /// Why a calibration is not handed out.
 #[derive(Debug, Clone, PartialEq)]
@@ -185,7 +178,7 @@ fn no_worse_than_identified(history: &[ResidualStep]) -> Result<(), NotHandedOut
     ];
     for (identified_mm, said_mm) in pairs {
         if let (Some(identified_mm), Some(said_mm)) = (identified_mm, said_mm)
-            && said_mm > identified_mm * (1.0 + ROUNDING) + ROUNDING
+            && said_mm > identified_mm * (1.0 + rounding::COMPUTED) + rounding::COMPUTED
         {
             return Err(NotHandedOut::WorseThanIdentified {
                 said_mm,
@@ -209,7 +202,7 @@ fn as_said_and_no_worse_than_nominal(
     let [nominal_mm, found_mm] = trimmed.unwrap_or(whole);
     let said_mm = calibration.history.last().map(|step| step.gap_mm);
     if let Some(said_mm) = said_mm
-        && !within(found_mm, MOST_TIMES * said_mm)
+        && !within(found_mm, thresholds::WITHIN * said_mm)
     {
         return Err(NotHandedOut::OtherThanSaid { found_mm, said_mm });
     }
@@ -236,12 +229,14 @@ fn predicts_what_is_held_out(
         let apart = lengths_mm.iter().zip(held_out).filter(|own| *own.1);
         // Not every measurement has a length.
         let apart = apart.map(|own| *own.0).filter(|mm| mm.is_finite());
-        (apart.clone().count() >= FEWEST_HELD_OUT).then(|| median(apart))?
+        (apart.clone().count() >= fewest::TO_JUDGE).then(|| median(apart))?
     };
     let nominal_mm = median_mm(&verified.before.length_mm);
     let found_mm = median_mm(&verified.after.length_mm);
     match (found_mm, nominal_mm) {
-        (Some(found_mm), Some(nominal_mm)) if found_mm > MOST_TIMES * nominal_mm + NOTHING_MM => {
+        (Some(found_mm), Some(nominal_mm))
+            if found_mm > thresholds::WITHIN * nominal_mm + NOTHING_MM =>
+        {
             Err(NotHandedOut::MissesHeldOut {
                 found_mm,
                 nominal_mm,

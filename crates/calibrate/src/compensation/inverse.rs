@@ -20,25 +20,16 @@ use std::borrow::Cow;
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::decompose;
 use crate::effects::Inputs;
 use crate::kinematics::JointKind;
 use crate::lanes::{dot, minus};
 use crate::model::{Model, Positions};
+use crate::numeric::LONGEST_TURN;
+use crate::{budget, rounding};
 
-/// Width of a difference quotient, rad (mm: a thousand times as much).
-const STEP: f64 = 1e-4;
-/// A step below this (rad; mm: a thousand times as much) changes nothing any more.
-const SETTLED: f64 = 1e-14;
-/// The longest single step, rad; a model is not trusted further away.
-pub(super) const LONGEST: f64 = 0.5;
-/// Poses that do not settle by then oscillate in the last bit.
-pub(super) const MOST_PASSES: usize = 40;
 /// Directions in which the tool moves less than this part of the most are left alone.
 pub(super) const FLATTEST: f64 = 1e-2;
-/// Enough for the singular values of any small matrix.
-pub(super) const MOST_ROTATIONS: usize = 1000;
-/// Less lever than this (mm per rad, mm per mm) is none.
-const NO_LEVER: f64 = 1e-9;
 
 /// Where some model puts every reflector: one set of positions for each reflector.
 pub(crate) type Places = Vec<Positions>;
@@ -67,7 +58,7 @@ pub fn closest_commands(
     let free = &model.robot.leading(free)[..];
     let mut trial = inputs.clone();
     let mut moving: Vec<bool> = vec![true; inputs.len()];
-    for _ in 0..MOST_PASSES {
+    for _ in 0..budget::STEPS {
         let here = sensed(model, &trial);
         // One joint alone needs the curvature.
         let beside = match free {
@@ -83,12 +74,12 @@ pub fn closest_commands(
             moving[i] = false;
             for (joint, by) in free.iter().copied().zip(step) {
                 let unit = unit_of(model, joint);
-                let by = by.clamp(-LONGEST, LONGEST) * unit;
+                let by = by.clamp(-LONGEST_TURN, LONGEST_TURN) * unit;
                 trial.q[joint].to_mut()[i] += by;
                 for (follower, ratio) in model.robot.followers(joint) {
                     trial.q[follower].to_mut()[i] += ratio * by;
                 }
-                moving[i] |= by.abs() > SETTLED * unit;
+                moving[i] |= by.abs() > rounding::LAST_BITS * unit;
             }
             any |= moving[i];
         }
@@ -109,7 +100,7 @@ fn unit_of(model: &Model, joint: usize) -> f64 {
 
 fn nudged<'a>(model: &Model, inputs: &Inputs<'a>, joint: usize) -> Inputs<'a> {
     let mut nudged = inputs.clone();
-    let by = STEP * unit_of(model, joint);
+    let by = rounding::DIFFERENCE * unit_of(model, joint);
     for q in nudged.q[joint].to_mut() {
         *q += by;
     }
@@ -193,7 +184,8 @@ impl Local {
         let second = free.first().filter(|_| !beside.is_empty());
         let second = second.map_or_else(Vec::new, |joint| {
             let pairs = first(beside, *joint).into_iter().zip(&all_first[0]);
-            let slopes = pairs.map(|(further, here)| minus(further, *here).map(|d| d / STEP));
+            let slopes = pairs
+                .map(|(further, here)| minus(further, *here).map(|d| d / rounding::DIFFERENCE));
             slopes.collect()
         });
         Self {
@@ -223,7 +215,7 @@ impl Local {
             gauss += dot(*first, *first);
             curved -= dot(*second, *missing);
         }
-        if gauss <= NO_LEVER * NO_LEVER {
+        if gauss <= rounding::COMPUTED * rounding::COMPUTED {
             return 0.0;
         }
         let full = gauss + curved;
@@ -235,16 +227,15 @@ impl Local {
         // Column-major: all reflectors of one joint follow each other, which is one column.
         let columns: Vec<f64> = self.first.iter().flatten().flatten().copied().collect();
         let missing: Vec<f64> = self.missing.iter().flatten().copied().collect();
-        let finite = columns.iter().chain(&missing).all(|v| v.is_finite());
-        if !finite || columns.is_empty() {
-            return DVector::zeros(joints);
-        }
         let jacobian = DMatrix::from_vec(missing.len(), joints, columns);
-        let Some(svd) = jacobian.try_svd(true, true, f64::EPSILON, MOST_ROTATIONS) else {
+        let Some(svd) = decompose::svd(jacobian) else {
             return DVector::zeros(joints);
         };
         let flattest = FLATTEST * svd.singular_values.max();
-        let step = svd.solve(&DVector::from_vec(missing), flattest.max(NO_LEVER));
+        let step = svd.solve(
+            &DVector::from_vec(missing),
+            flattest.max(rounding::COMPUTED),
+        );
         step.unwrap_or_else(|_| DVector::zeros(joints))
     }
 }

@@ -2,6 +2,7 @@
 
 use nalgebra::{Point3, Vector3};
 
+use crate::budget;
 use crate::effects::{Inputs, Owner, Role, Setting, TOOL_POSITION, Term};
 use crate::lanes::minus;
 use crate::model::{Calibration, Model, Positions};
@@ -62,10 +63,6 @@ pub fn of_the_robot(model: &Model, mut measured: Vec<[f64; 3]>) -> Model {
     })
 }
 
-/// So many poses go through the inversion at once: enough to fill blocks, little enough to stay
-/// in the cache.
-const AT_ONCE: usize = 1024;
-
 /// How a calibration is turned into joint commands.
 #[derive(Debug, Clone)]
 pub struct Compensation {
@@ -106,7 +103,7 @@ impl Compensation {
         let inputs = &*inputs.fitted_to(self.nominal.robot.joints.len());
         let all: Vec<usize> = (0..inputs.q.len()).collect();
         let mut corrections = vec![Vec::with_capacity(inputs.len()); inputs.q.len()];
-        for block in blocks(inputs, AT_ONCE) {
+        for block in blocks(inputs, budget::AT_ONCE) {
             let mut part = some_of(inputs, &block);
             part.reflectors_at_home.clone_from(&self.reflectors_at_home);
             if let Some(regional) = &self.regional {

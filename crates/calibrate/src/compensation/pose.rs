@@ -34,26 +34,19 @@ use crate::decompose;
 use crate::effects::Inputs;
 use crate::kinematics::screw::Twist;
 use crate::kinematics::{JointKind, Pose, Robot};
-use crate::lanes::{add_scaled, cross, dot, minus};
+use crate::lanes::{LANES, add_scaled, cross, dot, minus};
 use crate::model::Model;
+use crate::numeric::{GOLDEN_ANGLE, LONGEST_TURN};
+use crate::observations::streams::ARM_MM;
+use crate::{budget, rounding};
 
-use super::inverse::{FLATTEST, LONGEST, MOST_PASSES, MOST_ROTATIONS};
+use super::inverse::FLATTEST;
 use super::plan::{blocks, some_of};
 
-/// How far from the tool's origin the points stand that carry its orientation, mm.
-const LEVER_MM: f64 = 100.0;
 /// The same for a position alone.
 const FLATTEST_POSITION: f64 = 5e-3;
 /// ε: directions in which the joints turn the tool less than this (rad per rad) are damped.
 pub(crate) const DAMPED_BELOW: f64 = 0.04;
-/// A direction in which the joints turn the tool less than this (rad per rad) is none.
-const NO_TURN: f64 = 1e-7;
-/// A step below this (rad, or the same part of the reach) changes nothing any more.
-const SETTLED: f64 = 1e-10;
-/// The same where the orientation is damped: it settles slower, and to where rounding does not matter.
-const SETTLED_DAMPED: f64 = 1e-9;
-/// So many poses go through at once: a block of the model.
-const AT_ONCE: usize = 64;
 
 /// Where the commands of one pose ended.
 #[derive(Debug, Clone, PartialEq)]
@@ -94,7 +87,7 @@ impl Tools {
 /// Where a model has the tools at each pose of `inputs`; its targets play no part.
 pub fn tool_poses(model: &Model, inputs: &Inputs, tools: &Tools) -> Vec<Pose> {
     let mut poses = Vec::with_capacity(inputs.len());
-    for block in blocks(inputs, AT_ONCE) {
+    for block in blocks(inputs, LANES) {
         let part = with_tools(inputs, tools, &block);
         let seen = seen(model, &part, tools);
         poses.extend(seen.iter().map(ToolAtPose::pose));
@@ -114,7 +107,7 @@ pub fn commands_for_poses(
     let free = &model.robot.leading(free)[..];
     let scale = Scale::of(&model.robot, free);
     let mut reached = Vec::with_capacity(inputs.len());
-    for block in blocks(inputs, AT_ONCE) {
+    for block in blocks(inputs, LANES) {
         let part = with_tools(inputs, tools, &block);
         let wanted = &wanted[block[0]..][..block.len()];
         reached.extend(commands_of_block(model, &scale, part, wanted, free, tools));
@@ -151,16 +144,16 @@ fn commands_of_block(
     // Only what has not settled goes through the model again.
     let mut moving: Vec<usize> = (0..count).collect();
     let mut last: Vec<ToolAtPose> = vec![ToolAtPose::default(); count];
-    for pass in 0..=2 * MOST_PASSES {
+    for pass in 0..=2 * budget::STEPS {
         let some = some_of(&trial, &moving);
         for (i, seen) in moving.iter().copied().zip(seen(model, &some, tools)) {
             last[i] = seen;
             let state = &mut state[i];
-            if state.stepped || pass == 2 * MOST_PASSES {
+            if state.stepped || pass == 2 * budget::STEPS {
                 state.done = state.stepped;
                 continue;
             }
-            if pass == MOST_PASSES {
+            if pass == budget::STEPS {
                 // What does not settle keeps its orientation and gets its position.
                 state.position_only = true;
                 for joint in free {
@@ -190,18 +183,13 @@ fn commands_of_block(
                 continue;
             }
             for (joint, by) in free.iter().zip(&step) {
-                let by = by.clamp(-LONGEST, LONGEST) * scale.unit(*joint);
+                let by = by.clamp(-LONGEST_TURN, LONGEST_TURN) * scale.unit(*joint);
                 trial.q[*joint].to_mut()[i] += by;
                 for (follower, ratio) in model.robot.followers(*joint) {
                     trial.q[follower].to_mut()[i] += ratio * by;
                 }
             }
-            let enough = if state.damped {
-                SETTLED_DAMPED
-            } else {
-                SETTLED
-            };
-            state.stepped = step.iter().all(|by| by.abs() <= enough);
+            state.stepped = step.iter().all(|by| by.abs() <= rounding::COMPUTED);
         }
         moving.retain(|i| !state[*i].done);
         if moving.is_empty() {
@@ -260,7 +248,7 @@ pub fn conditioning(robot: &Robot, q: &[f64], free: &[usize]) -> f64 {
         (3, scale.directions)
     };
     let part = jacobian.rows(0, rows).into_owned();
-    let Some(svd) = part.try_svd(false, false, f64::EPSILON, MOST_ROTATIONS) else {
+    let Some(svd) = decompose::svd(part) else {
         return 0.0;
     };
     let mut values: Vec<f64> = svd.singular_values.iter().copied().collect();
@@ -300,7 +288,7 @@ fn points_at_home(tool: &Pose) -> [[f64; 3]; 4] {
     let along = |k: usize| {
         let mut point = Point3::origin();
         if k > 0 {
-            point[k - 1] = LEVER_MM;
+            point[k - 1] = ARM_MM;
         }
         (tool * point).coords.into()
     };
@@ -310,7 +298,7 @@ fn points_at_home(tool: &Pose) -> [[f64; 3]; 4] {
 impl ToolAtPose {
     /// The tool's axes, nearly of unit length.
     fn axes(&self) -> [[f64; 3]; 3] {
-        std::array::from_fn(|k| minus(self.at[k + 1], self.at[0]).map(|v| v / LEVER_MM))
+        std::array::from_fn(|k| minus(self.at[k + 1], self.at[0]).map(|v| v / ARM_MM))
     }
 
     /// The pose of a rigid tool that fits the points.
@@ -362,7 +350,7 @@ impl<'r> Scale<'r> {
         };
         for seed in 1..=3 {
             let q: Vec<f64> = (0..robot.joints.len())
-                .map(|j| (GENERIC_STEP * (j + seed) as f64) % 2.0 - 1.0)
+                .map(|j| (GOLDEN_ANGLE * (j + seed) as f64) % 2.0 - 1.0)
                 .collect();
             let jacobian = scale.nominal(robot, &q, free);
             scale.directions = scale.directions.max(rank(0..3, &jacobian));
@@ -469,7 +457,7 @@ impl<'r> Scale<'r> {
         state.damped = false;
         for k in 0..3 {
             let squared = eigen.eigenvalues[k];
-            if squared <= NO_TURN * NO_TURN {
+            if squared <= rounding::WRITTEN * rounding::WRITTEN {
                 state.damped |= self.whole;
                 continue;
             }
@@ -507,6 +495,3 @@ impl<'r> Scale<'r> {
         (good >= self.directions && good > 0).then_some(inverse)
     }
 }
-
-/// An angle that no two joints share and no robot is built to be singular at.
-const GENERIC_STEP: f64 = 2.399_963_229_728_653;

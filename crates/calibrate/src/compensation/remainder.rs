@@ -12,11 +12,9 @@ use crate::lanes::{dot, minus};
 use crate::model::{Calibration, Model};
 use crate::text::Text;
 use crate::text::length;
+use crate::thresholds::NOTHING_MM;
 
 use super::plan::Compensation;
-
-/// Shares below this are left out, mm: a remedy for less than a tracker resolves is no advice.
-const WORTH_A_WORD_MM: f64 = 1e-3;
 
 /// What one effect leaves behind.
 #[derive(Debug, Clone, PartialEq)]
@@ -136,7 +134,7 @@ fn shares(calibration: &Calibration, all: &Compensation, inputs: &Inputs) -> Vec
                      of the controller; the exact method says into which"
             ),
         };
-        return if left > WORTH_A_WORD_MM {
+        return if left > NOTHING_MM {
             vec![share]
         } else {
             Vec::new()
@@ -149,7 +147,7 @@ fn shares(calibration: &Calibration, all: &Compensation, inputs: &Inputs) -> Vec
             ..all.clone()
         };
         let rms_mm = rms(&left_over(&alone, inputs));
-        if rms_mm > WORTH_A_WORD_MM {
+        if rms_mm > NOTHING_MM {
             let about = term.effect.about();
             shares.push(Share {
                 effect: about.id,

@@ -2,6 +2,7 @@
 //! together are evidence.
 
 use crate::answers::diagnosis::DataProblem;
+use crate::fewest;
 use crate::model::Calibration;
 use crate::sessions::{Group, Session};
 use crate::text::Text;
@@ -9,10 +10,6 @@ use crate::text::length;
 
 /// More than this share of the samples is more than accidents.
 const MOST_SHARE: f64 = 0.02;
-/// So many samples in a row, or of one group, do not fall together by accident …
-const FEWEST_TOGETHER: usize = 3;
-/// … where at least so much of the group is among them.
-const SHARE_OF_A_GROUP: f64 = 0.5;
 
 /// The samples that the fit of a model set aside, marked among so many, where they are those of its own session.
 pub(super) fn of_its_own(
@@ -62,8 +59,7 @@ pub(super) fn findings(
     for (name, members) in &groups {
         let inside: Vec<usize> = members.iter().copied().filter(|i| suspected[*i]).collect();
         let whole = members.len() < all.len();
-        let share = inside.len() as f64 / members.len().max(1) as f64;
-        if whole && inside.len() >= FEWEST_TOGETHER && share >= SHARE_OF_A_GROUP {
+        if whole && inside.len() >= fewest::NO_ACCIDENT && 2 * inside.len() >= members.len() {
             is_explained = true;
             problem(
                 text!("{thing} is not where the model has it", thing = name),
@@ -78,7 +74,7 @@ pub(super) fn findings(
         }
     }
     if let Some(run) = longest_run(&in_order(session, &all), suspected)
-        && run.len() >= FEWEST_TOGETHER
+        && run.len() >= fewest::NO_ACCIDENT
         && (!is_explained || run.len() * 2 > set_aside.len())
     {
         is_explained = true;
@@ -151,7 +147,6 @@ fn in_order(session: &Session, all: &[usize]) -> Vec<usize> {
 /// The longest stretch of suspected samples in this order; a single one that is not suspected does
 /// not end it, and is not in it.
 fn longest_run(order: &[usize], suspected: &[bool]) -> Option<Vec<usize>> {
-    const MOST_BETWEEN: usize = 1;
     let (mut best, mut run, mut between) = (Vec::new(), Vec::new(), 0);
     for sample in order {
         if suspected[*sample] {
@@ -160,7 +155,7 @@ fn longest_run(order: &[usize], suspected: &[bool]) -> Option<Vec<usize>> {
         } else {
             between += 1;
         }
-        if between > MOST_BETWEEN {
+        if between > 1 {
             run.clear();
         }
         if run.len() > best.len() {

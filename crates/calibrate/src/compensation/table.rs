@@ -15,6 +15,8 @@ use crate::effects::{JointFrame, Stage, Term};
 use crate::kinematics::{JointKind, Range};
 use crate::lanes::add_scaled;
 use crate::model::{Calibration, Model, RawJoint};
+use crate::observations::ANGLES_AT_MM;
+use crate::rounding;
 use crate::text::Text;
 use crate::units::deg_from_rad;
 
@@ -27,8 +29,6 @@ use super::table_error::TableError;
 
 /// More entries than this are a slip of the keyboard.
 pub(crate) const MOST_ENTRIES: usize = 1_000_000;
-/// Lever of the point that stands for the angle of a joint of an arm, mm.
-const LEVER_MM: f64 = 1000.0;
 
 /// See the module. Values are in inner units; [`JointTable::to_display`] gives those of the user.
 #[derive(Debug, Clone, PartialEq)]
@@ -327,7 +327,7 @@ impl EqualSteps {
     }
 
     fn note(&self, asked: f64) -> Option<Text> {
-        let differs = (self.step - asked).abs() > 1e-9 * asked;
+        let differs = (self.step - asked).abs() > rounding::COMPUTED * asked;
         differs.then(|| {
             text!(
                 "a step of {asked} does not divide the travel: the steps are {steps}",
@@ -341,7 +341,7 @@ impl EqualSteps {
 /// A number without the last bits that a conversion left behind: 90.00000000000001 becomes 90.
 fn tidy(value: f64) -> f64 {
     let rounded = (value * 1e9).round() / 1e9;
-    if (value - rounded).abs() <= 1e-12 * value.abs().max(1.0) {
+    if (value - rounded).abs() <= rounding::LAST_BITS * value.abs().max(1.0) {
         rounded
     } else {
         value
@@ -397,7 +397,7 @@ fn own_correction(
             vec![0.0; q.len()]
         }
     });
-    let seen_at = vec![add_scaled(frame.origin_mm, frame.across_1, LEVER_MM)];
+    let seen_at = vec![add_scaled(frame.origin_mm, frame.across_1, ANGLES_AT_MM)];
     let inputs = conditions.inputs(columns.collect(), side, seen_at);
     let wanted = places(&Model::nominal(robot.clone()), &inputs);
     let commands = closest_commands(&own, &inputs, &wanted, &[joint]);

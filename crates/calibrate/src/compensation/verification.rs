@@ -22,11 +22,11 @@
 //! session that the model came from the held-out samples are apart. For the paper's method everything is in
 //! the plane of motion; z is not used.
 
+use crate::budget;
 use crate::effects::{Inputs, MEASURING_FRAME, Owner, Role, Term, called};
 use crate::fit::expected::uncertainties_mm;
 use crate::fit::gap::{Deviations, Spread};
 use crate::fit::problem::Problem;
-use crate::fit::ranges::POSES;
 use crate::fit::spread::spread;
 use crate::fit::unseen::nothing_held;
 use crate::kinematics::JointKind;
@@ -370,7 +370,7 @@ fn is_unsure(
         return false;
     };
     let inside: Vec<bool> = (0..problem.usable.len()).map(inside).collect();
-    let mut inputs = problem.inputs.select(&spread(&inside, POSES));
+    let mut inputs = problem.inputs.select(&spread(&inside, budget::OF_A_TRIAL));
     if let Some(setups) = &mut inputs.setup {
         setups.fill(frame.setting);
     }

@@ -25,8 +25,8 @@ use crate::model::Model;
 use crate::sessions::{Instrument, Session, Sigma, Target};
 use crate::text::Text;
 
-/// Candidates around what was chosen.
-const AROUND: usize = 700;
+/// Candidates of a round.
+pub(super) const CANDIDATES: usize = 900;
 /// Each of so many candidates has joints at the ends of their ranges, every joint with this share.
 const ENDS_EVERY: usize = 3;
 const ENDS: f64 = 0.25;
@@ -190,7 +190,7 @@ impl Arm {
         near: f64,
         random: &mut ChaCha8Rng,
     ) -> Vec<Candidate> {
-        let each = AROUND.div_ceil(chosen.len().max(1)).max(2);
+        let each = CANDIDATES.div_ceil(chosen.len().max(1)).max(2);
         let mut drawn = Vec::with_capacity(each * chosen.len());
         for like in chosen {
             for _ in 0..each {

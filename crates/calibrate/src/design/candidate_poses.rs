@@ -7,6 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use super::candidate::{Arrival, Candidate, Writing, anywhere, at, inputs, ranges, usual_speed};
 use super::imagined::{LATER_S, alone};
 use super::measuring_methods::{MeasuringMethod, last_setup, ways};
+use crate::budget;
 use crate::diagnosis::NextPose;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::Inputs;
@@ -18,8 +19,6 @@ use crate::text::Text;
 const ANGLES: usize = 24;
 /// Joint vectors of an arm that are drawn at random beside the sweeps of single joints.
 const VECTORS: usize = 60;
-/// Ways of measuring that are offered.
-const MOST_WAYS: usize = 6;
 
 /// Conditions that are offered; every combination of them is a choice.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,7 +91,7 @@ impl CandidatePoses {
             each_with(&all, &each, |c, target| c.target = target)
         } else {
             let all = ways(session, None);
-            let every = all.len().div_ceil(MOST_WAYS).max(1);
+            let every = all.len().div_ceil(budget::LISTED).max(1);
             own_ways = all.into_iter().step_by(every).collect();
             let base = &prepared.regression.base;
             let of_way = |(index, way): (usize, &MeasuringMethod)| {

@@ -7,6 +7,7 @@
 //!
 //! with σ the weak priors and the stated places of targets, and J₀ the rows of what was measured before.
 
+use super::arm::CANDIDATES;
 use nalgebra::{DMatrix, DVector};
 
 use super::arm::Arm;
@@ -16,20 +17,16 @@ use super::exchange::{Criterion, choose, exchange};
 use super::forecast::{ExpectedError, Forecast, Workspace};
 use super::imagined::shown;
 use super::information::Information;
+use crate::budget;
 use crate::effects::JointValues;
 use crate::fit::gauge;
 use crate::fit::priors::Priors;
 use crate::fit::problem::Problem;
+use crate::fit::unseen::ANYWHERE;
 use crate::model::Model;
 
-/// Candidates of the first round.
-const CANDIDATES: usize = 900;
 /// How far around, as shares of the joint ranges, round by round.
 const NEAR: [f64; 2] = [0.12, 0.04];
-/// Passes of the exchange.
-const PASSES: usize = 8;
-/// Nothing is known of what has no prior, within this: mm, or rad.
-const ANYTHING: [f64; 2] = [1e3, 1.0];
 
 /// Candidates and what they show.
 pub(crate) struct CandidateSet {
@@ -76,7 +73,7 @@ impl Arm {
     pub(crate) fn prior_information(&self, model: &Model, columns: &[usize]) -> DMatrix<f64> {
         precision(&self.priors, model, columns, |term, k| {
             let kind = model.robot.joints[term.joint].kind;
-            ANYTHING[usize::from(term.effect.about().form.turns(k, kind))].powi(-2)
+            ANYWHERE[usize::from(!term.effect.about().form.turns(k, kind))].powi(-2)
         })
     }
 
@@ -103,7 +100,7 @@ impl Arm {
             for k in &order {
                 next.information.take(*k);
             }
-            exchange(&mut next.information, &mut order, PASSES);
+            exchange(&mut next.information, &mut order, budget::ROUNDS);
             own = next.at(&order);
         }
         self.set(own, Some(&set.model))
@@ -143,7 +140,7 @@ impl CandidateSet {
     pub(crate) fn chosen(&self, count: usize) -> Vec<usize> {
         let mut information = self.information.clone();
         let mut order = choose(&mut information, count);
-        exchange(&mut information, &mut order, PASSES);
+        exchange(&mut information, &mut order, budget::ROUNDS);
         order
     }
 

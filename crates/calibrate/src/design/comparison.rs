@@ -27,6 +27,7 @@ use super::field::Field;
 use super::information::Information;
 use super::rows::Rows;
 use crate::diagnosis::evidence::Regression;
+use crate::lanes::LANES;
 use crate::model::Model;
 
 /// A model that is refitted to what each of some others shows at the candidates that are taken. What it
@@ -50,9 +51,6 @@ pub(crate) struct ModelDistance {
     /// How far apart the models have to be.
     pub(crate) enough: f64,
 }
-
-/// Parameters that no candidate shows are left out where there are so many: fewer are as fast with the others.
-const WORTH_LEAVING_OUT: usize = 48;
 
 impl ModelDistance {
     /// Of what another model shows as compared with the one that is refitted.
@@ -115,7 +113,7 @@ impl Comparison {
         // The frames of setups that are over are of use for the other parameters only.
         let squares = seen.squares();
         let shown: Vec<usize> = (0..pull.len()).filter(|k| squares[*k] > 0.0).collect();
-        if pull.len() - shown.len() >= WORTH_LEAVING_OUT {
+        if pull.len() - shown.len() >= LANES {
             seen = seen.only(&shown);
             covariance = covariance.select_rows(&shown).select_columns(&shown);
             at_first = at_first.select_rows(&shown);

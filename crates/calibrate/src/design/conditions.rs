@@ -6,6 +6,8 @@
 //! Within a stretch the poses are put into a short way. All are measured at standstill, after an
 //! approach of its own that is as long for every pose ([`approach`]).
 
+use super::decision::WIDEST;
+use crate::{fewest, rounding};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -15,7 +17,7 @@ use super::candidate_set::free;
 use super::covariance::inverse;
 use super::every_effect::every_effect;
 use super::exchange::{Criterion, choose};
-use super::first_measurement::WARMTHS;
+use super::first_measurement::{LOADS, WARMTHS};
 use super::imagined::{SECONDS_PER_POSE, shown};
 use super::information::Information;
 use super::needs::WARMING_C;
@@ -25,16 +27,9 @@ use crate::effects::{Setting, Term};
 use crate::kinematics::{Joint, JointKind, Range};
 use crate::model::Model;
 
-/// Load in each stretch, as a share of the test load: it is changed twice, and a drift in time cancels.
-/// Warmth is that of a first measurement: cold, warming up, warm, cooling down.
-const LOADS: [f64; 4] = [0.0, 1.0, 1.0, 0.0];
-/// Poses from which on there are stretches.
-const SOME: usize = 16;
 /// Sides of approach that are tried for each pose, and of many poses.
 const SIDES: [usize; 2] = [4, 2];
 const MANY: usize = 120;
-/// What is known of an effect beforehand: it moves the target by no more than so many times the noise.
-const USUAL: f64 = 10.0;
 
 /// How far before a pose the approach to it begins, rad or mm: 5° or 10 mm, within a quarter of the
 /// range.
@@ -49,7 +44,7 @@ pub fn approach(joint: &Joint, range: Option<Range>) -> f64 {
 /// The poses in measuring order, each with its conditions.
 pub(crate) fn conditioned(arm: &Arm, poses: &[Candidate]) -> Vec<NextPose> {
     let varied = arm.load_kg.is_some() || arm.heats;
-    let stretches = if poses.len() >= SOME && varied {
+    let stretches = if poses.len() >= fewest::TO_SEARCH && varied {
         LOADS.len()
     } else {
         1
@@ -151,7 +146,7 @@ impl Criterion for ConditionedPoses {
             let free = !self.used[self.pose[k]] && self.free_in_stretch[self.stretch[k]] > 0;
             // Where nothing is to be told any more the pose is measured all the same.
             if free {
-                self.information.gain(k).max(1e-6)
+                self.information.gain(k).max(rounding::WRITTEN)
             } else {
                 0.0
             }
@@ -202,7 +197,7 @@ fn information(
     for (to, _) in columns.iter().enumerate().filter(|own| of_effect[*own.1]) {
         let mean = squares[to] / rows.difference.len().max(1) as f64;
         known[(to, to)] = if mean > 0.0 {
-            mean / (USUAL * USUAL)
+            mean / (WIDEST * WIDEST)
         } else {
             1.0
         };

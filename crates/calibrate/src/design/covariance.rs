@@ -3,20 +3,23 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::rows::Rows;
+use crate::rounding;
 
-/// Information that every direction has at least, as a share of what the columns could bring.
-const LEAST_INFORMATION: f64 = 1e-9;
-/// The same of a matrix with a unit diagonal: rounding may leave a direction a hair below zero.
-const ROUNDING: f64 = 1e-12;
+use super::rows::Rows;
 
 /// A matrix with a unit diagonal, and by how much each parameter was scaled.
 fn scaled(information: &DMatrix<f64>) -> (DMatrix<f64>, DVector<f64>) {
-    let of = |own: f64| if own > 1e-200 { 1.0 / own.sqrt() } else { 0.0 };
+    let of = |own: f64| {
+        if own > f64::MIN_POSITIVE {
+            1.0 / own.sqrt()
+        } else {
+            0.0
+        }
+    };
     let scale = information.diagonal().map(of);
     let p = scale.len();
     let unit = DMatrix::from_fn(p, p, |i, j| information[(i, j)] * scale[i] * scale[j]);
-    (unit + DMatrix::identity(p, p) * ROUNDING, scale)
+    (unit + DMatrix::identity(p, p) * rounding::LAST_BITS, scale)
 }
 
 /// Inverse of an information matrix.
@@ -33,7 +36,7 @@ pub(crate) fn inverse(information: &DMatrix<f64>) -> DMatrix<f64> {
 pub(crate) fn beside(gram: &DMatrix<f64>, candidates: &Rows) -> DMatrix<f64> {
     let mut information = gram.clone();
     for (k, reach) in candidates.squares().into_iter().enumerate() {
-        information[(k, k)] += LEAST_INFORMATION * (gram[(k, k)] + reach).max(1e-300);
+        information[(k, k)] += rounding::COMPUTED * (gram[(k, k)] + reach).max(1e-300);
     }
     inverse(&information)
 }

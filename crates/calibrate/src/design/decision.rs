@@ -27,20 +27,16 @@ use super::covariance;
 use super::field::Field;
 use super::rows::Rows;
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::rival::UNDECIDED;
 use crate::diagnosis::search::other_settings::at_another_setting;
 use crate::effects::Term;
+use crate::{budget, odds};
 
 /// Probability that the poses decide, whichever explanation is true. It is above the 95 % that are
 /// promised by what the draws do not know: their own error, and tests beside the odds.
 pub(crate) const SURE: f64 = 0.98;
-/// Draws of each explanation: the probability is known to about one in a hundred.
-const DRAWS: usize = 250;
 /// What the samples say nothing of is drawn so small that it moves a pose by this many standard
 /// deviations of the noise.
-const WIDEST: f64 = 10.0;
-/// A pair that stays open in nearly every draw is not parted by any pose.
-const HOPELESS: f64 = 0.05;
+pub(super) const WIDEST: f64 = 10.0;
 
 pub(crate) struct Explanation {
     pub(crate) fit: Fit,
@@ -91,7 +87,7 @@ impl Decision {
                 truths.push(Truth {
                     index,
                     parameters: drawn(&gram, &own, &mut random),
-                    first: truths.len() * DRAWS,
+                    first: truths.len() * budget::DRAWS,
                 });
             }
             rows.push(Arc::new(own));
@@ -103,12 +99,12 @@ impl Decision {
             let against = truths.iter().map(|truth| truth.index);
             let distance = |truth: usize| {
                 let ln_evidence = |k: usize| explanations[k].fit.ln_evidence;
-                let enough = enough_for(UNDECIDED, ln_evidence(truth) - ln_evidence(other));
+                let enough = enough_for(odds::OPEN.nats(), ln_evidence(truth) - ln_evidence(other));
                 ModelDistance::new(&own.difference - &rows[truth].difference, enough)
             };
             let distances = against.filter(|truth| differ[*truth][other]).map(distance);
             let covariance = covariance::beside(gram, own);
-            let draws = truths.len() * DRAWS;
+            let draws = truths.len() * budget::DRAWS;
             Comparison::new(Arc::clone(own), covariance, distances.collect(), draws)
         };
         let comparisons = grams.iter().enumerate().map(comparison).collect();
@@ -129,7 +125,7 @@ impl Decision {
     pub(crate) fn take(&mut self, comparisons: &mut [Comparison], candidate: usize) {
         let (first, size) = comparisons[0].rows().place(candidate);
         // Measured values are relative to the first explanation.
-        let mut measured = DMatrix::zeros(size, self.truths.len() * DRAWS);
+        let mut measured = DMatrix::zeros(size, self.truths.len() * budget::DRAWS);
         for truth in &self.truths {
             let rows = comparisons[truth.index].rows();
             let mut block = rows.of(candidate).tr_mul(&truth.parameters);
@@ -137,7 +133,9 @@ impl Decision {
             block
                 .column_iter_mut()
                 .for_each(|mut own| own -= difference);
-            measured.columns_mut(truth.first, DRAWS).copy_from(&block);
+            measured
+                .columns_mut(truth.first, budget::DRAWS)
+                .copy_from(&block);
         }
         let random = &mut self.random;
         measured.apply(|v| {
@@ -162,10 +160,10 @@ impl Decision {
             before - 0.5 * rows * (rss + risen).max(1e-300).ln()
         };
         let of = |truth: &Truth| {
-            DMatrix::from_fn(comparisons.len(), DRAWS, |other, k| {
+            DMatrix::from_fn(comparisons.len(), budget::DRAWS, |other, k| {
                 let draw = truth.first + k;
                 let lead = evidence(truth.index, draw) - evidence(other, draw);
-                u8::from(!self.differ[truth.index][other] || lead >= UNDECIDED)
+                u8::from(!self.differ[truth.index][other] || lead >= odds::OPEN.nats())
             })
         };
         self.truths.iter().map(of).collect()
@@ -187,7 +185,8 @@ impl Decision {
         };
         let parted = |out: &DMatrix<u8>| -> Vec<bool> {
             let rows = out.row_iter();
-            rows.map(|row| share(row.iter()) > HOPELESS).collect()
+            rows.map(|row| share(row.iter()) > odds::OPEN.chance())
+                .collect()
         };
         let parted: Vec<Vec<bool>> = last.iter().map(parted).collect();
         let unparted = parted.iter().flatten().filter(|parted| !**parted).count();
@@ -209,7 +208,7 @@ impl Decision {
 }
 
 fn share<'v>(values: impl Iterator<Item = &'v u8>) -> f64 {
-    values.map(|v| f64::from(*v)).sum::<f64>() / DRAWS as f64
+    values.map(|v| f64::from(*v)).sum::<f64>() / budget::DRAWS as f64
 }
 
 /// The smallest share of draws, over the truths, in which every rival that counts is ruled out.
@@ -218,7 +217,7 @@ fn least(now: &[DMatrix<u8>], counts: impl Fn(usize, usize) -> bool) -> f64 {
         let decided = |draw: &usize| {
             (0..out.nrows()).all(|other| !counts(truth, other) || out[(other, *draw)] == 1)
         };
-        (0..DRAWS).filter(decided).count() as f64 / DRAWS as f64
+        (0..budget::DRAWS).filter(decided).count() as f64 / budget::DRAWS as f64
     };
     now.iter().enumerate().map(of).fold(1.0, f64::min)
 }
@@ -249,7 +248,9 @@ fn drawn(gram: &DMatrix<f64>, rows: &Rows, random: &mut ChaCha8Rng) -> DMatrix<f
     for (k, squares) in rows.squares().into_iter().enumerate() {
         known[(k, k)] += squares / rows.len().max(1) as f64 / (WIDEST * WIDEST);
     }
-    let white = DMatrix::from_fn(gram.nrows(), DRAWS, |_, _| StandardNormal.sample(random));
+    let white = DMatrix::from_fn(gram.nrows(), budget::DRAWS, |_, _| {
+        StandardNormal.sample(random)
+    });
     covariance::drawn(&known, &white)
 }
 
@@ -259,7 +260,7 @@ mod tests {
 
     #[test]
     fn the_least_share_counts_only_what_is_asked_for() {
-        let mut out = DMatrix::from_element(2, DRAWS, 1_u8);
+        let mut out = DMatrix::from_element(2, budget::DRAWS, 1_u8);
         out.row_mut(1).fill(0);
         let now = [out];
         assert!(least(&now, |_, _| true) <= 0.0);

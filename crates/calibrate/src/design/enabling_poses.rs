@@ -16,6 +16,7 @@ use crate::effects::{Effect, Term, called, find};
 use crate::model::Model;
 use crate::sessions::Samples;
 use crate::text::{Template, Text};
+use crate::{budget, odds};
 
 use super::candidate::Candidate;
 use super::candidate_poses::{CandidatePoses, Conditions};
@@ -147,8 +148,6 @@ pub(crate) fn worth_enabling(
     enable(prepared, fit, &untestable, None, MOST_BESIDE, false)
 }
 
-/// Log-odds that are asked for: 400 : 1, as one effect of many is enabled.
-const SURELY: f64 = 6.0;
 /// What remains of the session's information where it does not say under which condition it was
 /// measured.
 const WEAK: f64 = 0.02;
@@ -238,7 +237,12 @@ fn comparisons(
         let weight = if unsaid { WEAK } else { 1.0 };
         // The effect was there already; the samples so far could not show it.
         let truth = model.with_term(term.clone());
-        Comparison::from_the_start(&field, [&truth, &rival], enough_for(SURELY, 0.0), weight)
+        Comparison::from_the_start(
+            &field,
+            [&truth, &rival],
+            enough_for(odds::TAKEN.nats(), 0.0),
+            weight,
+        )
     };
     wanted.iter().zip(&terms).map(against_others).collect()
 }
@@ -254,9 +258,6 @@ fn is_said(need: Need, samples: &Samples) -> bool {
     }
 }
 
-/// At most so many effects are named in the reason for a pose.
-const MOST_NAMED: usize = 3;
-
 fn words(shown: &[&Untestable], choice: &Candidate) -> Text {
     let matters = |need: &Need| match need {
         Need::Speeds => choice.moves(),
@@ -271,8 +272,8 @@ fn words(shown: &[&Untestable], choice: &Candidate) -> Text {
         .collect();
     let mut names: Vec<&str> = shown.iter().map(|l| l.effect).collect();
     names.dedup();
-    let more = names.len().saturating_sub(MOST_NAMED);
-    names.truncate(MOST_NAMED);
+    let more = names.len().saturating_sub(budget::LIKELIEST);
+    names.truncate(budget::LIKELIEST);
     let how = if needs.is_empty() {
         text!("what the others are compared with")
     } else {

@@ -25,7 +25,7 @@ pub(crate) fn every_effect(robot: &Robot, ranges: &[Range], middle_s: f64) -> Mo
             let several = ranges.len() > 1;
             let fades = [0.02, 0.08].map(|share| share * (range.to - range.from));
             match about.setting {
-                Setting::Order { to, .. } if to > 6 && !several => {
+                setting if setting.takes_fractions() && !several => {
                     terms.extend(ORDERS.map(|order| Term::absent(effect, joint, order)));
                 }
                 _ => {

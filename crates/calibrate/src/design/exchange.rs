@@ -6,6 +6,7 @@
 //! in its place until none is better (Fedorov 1972; Cook & Nachtsheim 1980).
 
 use super::information::Information;
+use crate::rounding;
 
 /// What poses are worth.
 pub(crate) trait Criterion {
@@ -32,16 +33,13 @@ impl Criterion for Information {
     }
 }
 
-/// A pose that is worth less than this is worth nothing.
-const NOTHING: f64 = 1e-9;
-
 /// Candidates one after the other until the criterion is satisfied, `most` are taken, or nothing
 /// helps; of candidates that are worth the same the first.
 pub(crate) fn choose(criterion: &mut impl Criterion, most: usize) -> Vec<usize> {
     let mut order = Vec::new();
     while order.len() < most && !criterion.satisfied() {
         let worths = criterion.worths();
-        let Some(best) = best(&worths).filter(|k| worths[*k] > NOTHING) else {
+        let Some(best) = best(&worths).filter(|k| worths[*k] > rounding::COMPUTED) else {
             break;
         };
         criterion.take(best);
@@ -54,9 +52,6 @@ fn best(worths: &[f64]) -> Option<usize> {
     (0..worths.len()).max_by(|a, b| worths[*a].total_cmp(&worths[*b]).then(b.cmp(a)))
 }
 
-/// An exchange has to raise the logarithm of the determinant by this.
-const BETTER: f64 = 1e-4;
-
 /// Exchanges what was taken for what is better, at most so many times over.
 pub(crate) fn exchange(information: &mut Information, order: &mut [usize], rounds: usize) {
     for _ in 0..rounds {
@@ -64,7 +59,9 @@ pub(crate) fn exchange(information: &mut Information, order: &mut [usize], round
         for place in order.iter_mut() {
             information.update(*place, -1.0);
             let worths = information.worths();
-            if let Some(other) = best(&worths).filter(|k| worths[*k] > worths[*place] + BETTER) {
+            if let Some(other) =
+                best(&worths).filter(|k| worths[*k] > worths[*place] + rounding::WRITTEN)
+            {
                 *place = other;
                 changed = true;
             }
@@ -137,7 +134,12 @@ mod tests {
             let mut without = information.clone();
             without.update(order[place], -1.0);
             let own = without.gain(order[place]);
-            assert!(without.worths().iter().all(|w| *w <= own + BETTER + 1e-9));
+            assert!(
+                without
+                    .worths()
+                    .iter()
+                    .all(|w| *w <= own + rounding::WRITTEN + 1e-9)
+            );
         }
     }
 }

@@ -7,6 +7,7 @@
 
 use nalgebra::DMatrix;
 
+use crate::budget;
 use crate::effects::{Setting, Term};
 use crate::sessions::Session;
 
@@ -24,8 +25,6 @@ use crate::linear::Basis;
 
 /// Two effects that are more alike than this are worth a word.
 const ALIKE: f64 = 0.95;
-/// Pairs that are named at most.
-const MOST_ALIKE: usize = 12;
 /// Orders that are compared, and times of a step.
 const HIGHEST_ORDER: f64 = 12.0;
 const MOST_STEPS: usize = 8;
@@ -122,7 +121,7 @@ fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
         }
     }
     pairs.sort_by(|a, b| b.correlation.total_cmp(&a.correlation));
-    pairs.truncate(MOST_ALIKE);
+    pairs.truncate(budget::LISTED);
     pairs
 }
 

@@ -24,6 +24,7 @@ use crate::diagnosis::NextPose;
 use crate::effects::Inputs;
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::model::Model;
+use crate::rounding;
 use crate::sessions::Target;
 use crate::text::Text;
 
@@ -37,8 +38,8 @@ use super::information::Information;
 use super::needs::WARMING_C;
 use super::rows::Rows;
 
-/// Load in each eighth of the measurement, as a share of the test load.
-const LOADS: [f64; 8] = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0];
+/// Load in each stretch, as a share of the test load: it is changed twice, and a drift in time cancels.
+pub(super) const LOADS: [f64; 4] = [0.0, 1.0, 1.0, 0.0];
 /// Warmth in each quarter, as a share of the warming: cold, warming up, warm, cooling down.
 pub(crate) const WARMTHS: [f64; 4] = [0.0, 0.5, 1.0, 0.35];
 /// Speeds in turn, in units of a modest one: most poses at standstill.
@@ -52,8 +53,6 @@ const EFFORT: usize = 600_000_000;
 const CANDIDATES: [usize; 2] = [12, 160];
 /// One candidate of so many is at an end of the travel, which belongs to it.
 const ENDS_EVERY: usize = 8;
-/// Every slot is filled, whatever it shows.
-const LEAST_WORTH: f64 = 1e-6;
 
 /// What a first measurement is made for.
 #[derive(Debug, Clone, Copy)]
@@ -143,7 +142,7 @@ impl Request<'_> {
                 4 if 4 * i > n => Arrival::Return(0),
                 _ => Arrival::Long,
             },
-            load_kg: LOADS[i * LOADS.len() / n] * self.load_kg,
+            load_kg: LOADS[2 * i * LOADS.len() / n % LOADS.len()] * self.load_kg,
             above_20_c: WARMTHS[i * WARMTHS.len() / n] * WARMING_C,
             target,
             time_s: SECONDS_PER_POSE * i as f64,
@@ -309,7 +308,7 @@ impl Criterion for Slots<'_> {
     fn worths(&self) -> Vec<f64> {
         let all = self.candidates.iter().enumerate();
         let worth = all.map(|(k, one)| self.information.gain(k).exp() * self.gap(one));
-        worth.map(|worth| worth.max(LEAST_WORTH)).collect()
+        worth.map(|worth| worth.max(rounding::WRITTEN)).collect()
     }
 
     fn take(&mut self, candidate: usize) {

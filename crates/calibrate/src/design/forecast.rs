@@ -17,9 +17,7 @@ use crate::fit::problem::Problem;
 use crate::fit::ranges::over_the_ranges;
 use crate::model::Model;
 use crate::observations::KINDS;
-
-/// A singular value that is so small beside the largest is none (squared).
-const NONE: f64 = 1e-13;
+use crate::rounding;
 
 /// The expected error of the model over the joint ranges.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,7 +78,7 @@ impl Workspace {
             shown: 0,
         };
         let squares = workspace.squares(everything);
-        let least = NONE * squares.first().unwrap_or(&0.0);
+        let least = rounding::LAST_BITS * squares.first().unwrap_or(&0.0);
         workspace.shown = squares.iter().filter(|s| **s > least).count();
         workspace
     }
@@ -128,7 +126,7 @@ impl Workspace {
     ) -> Forecast {
         let squares = self.squares(gram);
         let own = &squares[..self.shown];
-        let all_shown = own.iter().all(|s| *s > NONE * own[0]) && self.shown > 0;
+        let all_shown = own.iter().all(|s| *s > rounding::LAST_BITS * own[0]) && self.shown > 0;
         let mean = own.iter().map(|s| 0.5 * s.max(1e-300).ln()).sum::<f64>() / own.len() as f64;
         Forecast {
             error: self.error(covariance),

@@ -12,10 +12,8 @@ use std::sync::Arc;
 use nalgebra::{Cholesky, DMatrix};
 
 use super::rows::Rows;
+use crate::budget;
 use crate::linear::cross;
-
-/// Rows that are multiplied with a covariance at once.
-const CARRIED_AT_ONCE: usize = 256;
 
 /// What is known of parameters, and what each candidate would add to it. A candidate is taken once.
 #[derive(Clone)]
@@ -58,7 +56,7 @@ impl Information {
         // So many rows at a time that what the covariance makes of them needs little room.
         let mut from = 0;
         while from + 1 < first.len() {
-            let more = first[from..].partition_point(|f| f - first[from] <= CARRIED_AT_ONCE);
+            let more = first[from..].partition_point(|f| f - first[from] <= budget::AT_ONCE);
             let to = (from + more - 1).max(from + 1);
             let start = first[from];
             let carried = &self.covariance * columns.columns(start, first[to] - start);

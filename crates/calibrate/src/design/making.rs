@@ -11,6 +11,7 @@
 //! What the plan claims is checked on the session as it would be with the poses measured
 //! (`expected_information`): an effect counts as enabled only if nothing stands against it there.
 
+use super::plan_options::{POSES_OF_AN_ARM, PROPOSED};
 use crate::answers::pose::to_raw;
 use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
@@ -24,6 +25,7 @@ use crate::kinematics::Robot;
 use crate::model::{Model, SetUp};
 use crate::observations::KINDS;
 use crate::sessions::{Session, Target};
+use crate::{fewest, rounding};
 
 use super::arm::Arm;
 use super::candidate::ranges;
@@ -41,12 +43,7 @@ use super::{enabling_poses, next_poses};
 
 /// Poses of a first measurement of a single joint, where no number is given; of several joints, and
 /// beside a session of them.
-const POSES_OF_A_JOINT: usize = 60;
-const POSES_OF_AN_ARM: usize = 40;
 const POSES_PER_JOINT: usize = 10;
-const POSES_BESIDE: usize = 20;
-/// Poses that make effects testable, where no number is given.
-const MOST_ENABLING: usize = 24;
 
 /// A plan for a session: it is diagnosed, and what that leaves open is planned for. Where it has
 /// other measurements than points it is planned for its geometry.
@@ -77,9 +74,9 @@ pub fn plan_session(
     let first = prepared(session, &options.diagnosis, watch)?;
     let (prepared, found) = searched(first, &options.diagnosis, watch)?;
     let (regression, fit) = (&prepared.regression, &found.fit);
-    let sigma_mm = || mean_sigma_mm(regression) * regression.scale(fit).max(1e-6);
+    let sigma_mm = || mean_sigma_mm(regression) * regression.scale(fit).max(rounding::WRITTEN);
     plan.sigma_mm = options.sigma_mm.unwrap_or_else(sigma_mm);
-    let most = options.poses.unwrap_or(next_poses::MOST);
+    let most = options.poses.unwrap_or(PROPOSED);
     let base = regression.fit(&regression.base, &[]);
     let untestable_now = enabling_poses::untestable(&prepared, &not_testable(regression, &base));
     if let Some(between) = between {
@@ -131,7 +128,7 @@ fn add_what_is_untestable(
     options: &PlanOptions,
 ) {
     let room = |plan: &Plan| options.poses.map(|n| n - plan.poses.len());
-    let most = room(plan).unwrap_or(MOST_ENABLING);
+    let most = room(plan).unwrap_or(PROPOSED);
     let load_kg = options.load_kg;
     let mut more = enabling_poses::enable(prepared, fit, untestable_now, load_kg, most, true);
     // A technician mounts one bar.
@@ -170,7 +167,7 @@ fn add_geometry(
 ) -> Result<(), PlanError> {
     let room = options.poses.map(|n| n - plan.poses.len());
     let arm = Arm::of_session(session, options)?.beside_planned(&plan.poses);
-    let wanted = room.unwrap_or(POSES_BESIDE);
+    let wanted = room.unwrap_or(PROPOSED);
     let (poses, geometry) = geometry::best(&arm, wanted, options.accuracy_mm)?;
     plan.poses.extend(conditioned(&arm, &poses));
     plan.geometry = Some(geometry);
@@ -186,7 +183,7 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
     let between = options.between(robot)?;
     let sigma_mm = options.sigma_mm.unwrap_or(USUAL_SIGMA_MM);
     let usual = match robot.joints.len() {
-        1 => POSES_OF_A_JOINT,
+        1 => fewest::TO_SCAN,
         several => POSES_OF_AN_ARM + POSES_PER_JOINT * several,
     };
     let poses = options.poses.unwrap_or(usual);

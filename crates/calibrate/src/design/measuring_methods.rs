@@ -1,6 +1,7 @@
 //! The different ways in which the samples of a session were measured: kinds, places, targets. A new
 //! pose is measured in one of them.
 
+use super::plan_options::PROPOSED;
 use nalgebra::Point3;
 
 use super::candidate::typed;
@@ -14,9 +15,6 @@ use crate::observations::constrained::bring;
 use crate::observations::{KINDS, Seen};
 use crate::sessions::Session;
 use crate::text::Text;
-
-/// Ways of measuring that are tried at most.
-const MOST_WAYS: usize = 24;
 
 /// One way of measuring.
 #[derive(Debug, Clone)]
@@ -112,7 +110,7 @@ pub(crate) fn ways(session: &Session, from: Option<Point3<f64>>) -> Vec<Measurin
             .collect();
         let target = session.samples.target.as_ref().map_or(0, |t| t[sample]);
         let key = (kinds, target);
-        if key.0.is_empty() || known.contains(&key) || ways.len() >= MOST_WAYS {
+        if key.0.is_empty() || known.contains(&key) || ways.len() >= PROPOSED {
             continue;
         }
         let places = || {

@@ -6,11 +6,13 @@
 //! is true (`decision`). Where one reflector cannot decide, the place of a second one is
 //! chosen with the poses: the one that decides with the fewest.
 
+use super::plan_options::PROPOSED;
+use crate::budget;
 use crate::diagnosis::NextPose;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::rival::Rival;
-use crate::diagnosis::search::aliases;
 use crate::diagnosis::search::prepare::PreparedSearch;
+use crate::diagnosis::search::{MANY_NAMES, aliases};
 use crate::diagnosis::verdict::{Proposal, Undecided};
 use crate::effects::{Condition, Over, Term, called};
 use crate::text::Text;
@@ -25,14 +27,8 @@ use super::field::Field;
 use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
 use super::plan_options::MOST_JOINTS;
 
-/// Poses that are proposed at most.
-pub(crate) const MOST: usize = 24;
 /// Explanations that are compared, and of how many of them rivals are looked for.
 const MOST_COMPETING: usize = 14;
-/// Of a fit with more names than this so many are: every two of them are a comparison of as many columns as a fit has.
-const MANY_NAMES: usize = 4;
-const MOST_OF_MANY: usize = 6;
-const MOST_ASKED: usize = 3;
 /// One condition is proposed at most so often.
 const REPEATS: u8 = 2;
 
@@ -82,7 +78,7 @@ pub fn propose(undecided: &Undecided) -> Proposal {
     } else if undecided.rivals.is_empty() {
         enabling_poses::worth_enabling(prepared, fit, undecided.not_testable)
     } else {
-        separate(prepared, fit, undecided.rivals, MOST)
+        separate(prepared, fit, undecided.rivals, PROPOSED)
     };
     let rivals = undecided.rivals.iter();
     Proposal {
@@ -126,7 +122,7 @@ pub(crate) fn conditions(prepared: &PreparedSearch, terms: &[&Term]) -> Conditio
 fn competing(prepared: &PreparedSearch, fit: &Fit, open: &[&Rival]) -> Vec<Explanation> {
     let regression = &prepared.regression;
     let many = regression.added(fit).len() > MANY_NAMES;
-    let most = if many { MOST_OF_MANY } else { MOST_COMPETING };
+    let most = if many { budget::LISTED } else { MOST_COMPETING };
     let mut all: Vec<Explanation> = Vec::new();
     let mut join = |fit: &Fit, open: bool| {
         if all.len() < most && !all.iter().any(|a| same_terms(&a.fit, fit)) {
@@ -138,7 +134,7 @@ fn competing(prepared: &PreparedSearch, fit: &Fit, open: &[&Rival]) -> Vec<Expla
     let fits = || open.iter().map(|rival| &rival.fit);
     let mut room = join(fit, true);
     fits().for_each(|rival| room = join(rival, true));
-    for one in [fit].into_iter().chain(fits().take(MOST_ASKED)) {
+    for one in [fit].into_iter().chain(fits().take(budget::LIKELIEST)) {
         if !room {
             break;
         }
@@ -234,7 +230,7 @@ fn why(rivals: &[&Rival]) -> Text {
             one = names(&rival.removed),
             other = names(&rival.instead)
         );
-        if !pairs.contains(&pair) && pairs.len() < 3 {
+        if !pairs.contains(&pair) && pairs.len() < budget::LIKELIEST {
             pairs.push(pair);
         }
     }

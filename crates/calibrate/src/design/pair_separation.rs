@@ -6,11 +6,13 @@
 //! minimise aᵀ R a over aᵀ T a = λ,   T beside the model, R beside the model and the other effect
 //! ```
 
+use super::plan_options::POSES_OF_AN_ARM;
+use crate::fit::gauge::{COPY, MOST_SEEN};
+use crate::{odds, rounding};
 use nalgebra::{DMatrix, DVector};
 
 use crate::diagnosis::NextPose;
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::rival::UNDECIDED;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::{Term, called, find};
 use crate::model::Model;
@@ -31,13 +33,6 @@ use super::rows::Rows;
 
 /// λ of an effect that is just seen.
 const JUST_SEEN: f64 = 40.0;
-/// What is left of an effect beside the other, in the best of all places, below which no pose
-/// tells them apart.
-const NOTHING_LEFT: f64 = 1e-4;
-/// A direction with so small a share of the mean information is not there.
-const NONE: f64 = 1e-9;
-/// Weight of all candidates together where a session cannot show an effect at all: as so many poses.
-const AS_MANY_POSES: f64 = 40.0;
 
 /// Poses that tell two effects apart.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,7 +93,7 @@ pub(crate) fn separate_two(
         attempt(prepared, offer, &base, &terms, most)
     });
     let left_before = shares.left[0];
-    if shares.possible < NOTHING_LEFT {
+    if shares.possible < COPY {
         let because = text!(
             "wherever they are measured, with a second reflector too, each looks like the other"
         );
@@ -246,10 +241,10 @@ impl Pair {
     /// The share that is left in the samples, and the one there in the shape that the other imitates
     /// best, at the size at which it is just seen, against the other.
     fn comparison(&self, field: &Field, base: &Model) -> (f64, Comparison) {
-        let weak = &self.everywhere * (AS_MANY_POSES / self.rows.len().max(1) as f64);
+        let weak = &self.everywhere * (POSES_OF_AN_ARM as f64 / self.rows.len().max(1) as f64);
         let (before, mut direction) = self.worst(&self.known);
         let mut strength = self.strength(&self.known, &direction);
-        if strength < 1e-3 * self.strength(&weak, &self.worst(&weak).1) {
+        if strength < MOST_SEEN * self.strength(&weak, &self.worst(&weak).1) {
             direction = self.worst(&(&self.known + &weak)).1;
             strength = self.strength(&weak, &direction);
         }
@@ -259,7 +254,7 @@ impl Pair {
             coefficients: direction.as_slice().to_vec(),
             ..one
         });
-        let (rival, enough) = (base.with_term(other), enough_for(UNDECIDED, 0.0));
+        let (rival, enough) = (base.with_term(other), enough_for(odds::OPEN.nats(), 0.0));
         let comparison = Comparison::from_the_start(field, [&truth, &rival], enough, 1.0);
         (before, comparison)
     }
@@ -291,7 +286,9 @@ impl Pair {
         // Directions of which nothing is left beside the base do not count against the other.
         let spectrum = crate::decompose::eigen(alone);
         let values = &spectrum.eigenvalues;
-        let kept: Vec<usize> = (0..k).filter(|i| values[*i] > NONE * mean).collect();
+        let kept: Vec<usize> = (0..k)
+            .filter(|i| values[*i] > rounding::COMPUTED * mean)
+            .collect();
         let mut basis = spectrum.eigenvectors.select_columns(&kept);
         for (mut column, i) in basis.column_iter_mut().zip(&kept) {
             column /= values[*i].sqrt();

@@ -3,10 +3,8 @@
 //! 1958).
 
 use super::candidate::usual_speed;
+use crate::budget;
 use crate::kinematics::Robot;
-
-/// Passes over all stretches at most.
-const PASSES: usize = 40;
 
 /// The time from one pose to another at usual speeds, s.
 pub(crate) fn seconds(robot: &Robot, from: &[f64], to: &[f64]) -> f64 {
@@ -31,7 +29,7 @@ pub(crate) fn short(robot: &Robot, poses: &[&[f64]], start: &[f64]) -> Vec<usize
         let Some(to) = order.get(b) else { return 0.0 };
         seconds(robot, a.map_or(start, |a| at(order[a])), at(*to))
     };
-    for _ in 0..PASSES {
+    for _ in 0..budget::STEPS {
         let mut shorter = false;
         for first in 0..order.len() {
             for last in first + 1..order.len() {

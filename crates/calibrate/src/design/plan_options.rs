@@ -1,16 +1,21 @@
 //! What is asked of a plan, and why there is none.
 
+use nalgebra::Point3;
+use std::f64::consts::PI;
+
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::document::ranges::SMALLEST_SIGMA;
 use crate::kinematics::Robot;
 use crate::text::Text;
-use crate::units::{LARGEST_LENGTH_MM, LARGEST_MASS_KG};
-use nalgebra::Point3;
-use std::f64::consts::PI;
+use crate::units::{LARGEST_LENGTH_MM, LARGEST_NUMBER};
 
 use super::named::Named;
 
+/// Poses that are proposed beside a session, and ways of measuring that are tried, at most.
+pub(super) const PROPOSED: usize = 24;
+/// Poses of a first measurement of several joints, where no number is given, beside some for each joint.
+pub(super) const POSES_OF_AN_ARM: usize = 40;
 /// Poses that a plan holds at most.
 pub(crate) const MOST_POSES: usize = 2000;
 
@@ -171,7 +176,7 @@ impl PlanOptions {
                 sigma
             ));
         }
-        let is_load = |l: f64| above_zero(l, LARGEST_MASS_KG);
+        let is_load = |l: f64| above_zero(l, LARGEST_NUMBER);
         let load = self.load_kg.filter(|l| !is_load(*l))?;
         Some(text!(
             "--load is {load}; expected a mass above 0 in kg, such as 3",

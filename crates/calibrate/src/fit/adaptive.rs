@@ -13,18 +13,14 @@
 //! A region costs four numbers of the report and hides what the cause is: an effect that explains
 //! the whole range is always the better answer, and the exact method is there to look for it.
 
-use crate::effects::JointValues;
-use crate::sessions::{Region, Session, Sigma};
 use truepose_session::refusal::Refusal;
 
 use super::plane::Plane;
 use super::problem::Problem;
+use crate::effects::JointValues;
 use crate::sessions::division::{DEFAULT_REGIONS, RegionChoice, between, range_to_divide, uniform};
-
-/// Boundaries are looked for between so many cells at most.
-const MOST_CELLS: usize = 1200;
-/// A region rests on at least so many samples.
-const FEWEST_SAMPLES: usize = 3;
+use crate::sessions::{Region, Session, Sigma};
+use crate::{budget, fewest, rounding};
 
 /// The regions that a choice means for a session with one joint.
 ///
@@ -136,7 +132,7 @@ impl SegmentSums {
 
 /// Samples at one angle stay together, and so do neighbours where there are too many.
 fn gather(samples: &[Sample]) -> Vec<Cell> {
-    let least = samples.len().div_ceil(MOST_CELLS);
+    let least = samples.len().div_ceil(budget::SAMPLES);
     let mut cells: Vec<Cell> = Vec::new();
     for sample in samples {
         let sums = SegmentSums::of(sample);
@@ -169,7 +165,7 @@ fn best_cuts(cells: &[Cell], variance: f64, price: f64) -> Vec<usize> {
     for end in 1..=m {
         for start in 0..end {
             let inside = before[end].plus(&before[start], -1.0);
-            let too_few = inside.n < FEWEST_SAMPLES as f64 && !(start == 0 && end == m);
+            let too_few = inside.n < fewest::NO_ACCIDENT as f64 && !(start == 0 && end == m);
             if too_few || best[start].is_infinite() {
                 continue;
             }
@@ -201,7 +197,10 @@ fn noise_variance(session: &Session, samples: &[Sample]) -> f64 {
         Some(Sigma::PerAxis(sigma)) => f64::midpoint(sigma[0].powi(2), sigma[1].powi(2)).sqrt(),
         None => 0.0,
     };
-    stated.max(seen_noise(samples)).max(SMALLEST_MM).powi(2)
+    stated
+        .max(seen_noise(samples))
+        .max(rounding::WRITTEN)
+        .powi(2)
 }
 
 /// What neighbours differ by, as the standard deviation of a coordinate, mm.
@@ -219,9 +218,6 @@ fn seen_noise(samples: &[Sample]) -> f64 {
     // The median of |a − b| of two Gaussian numbers is 0.954 σ.
     median / 0.954
 }
-
-/// Below this, differences are rounding, mm.
-const SMALLEST_MM: f64 = 1e-6;
 
 #[cfg(test)]
 mod tests {
@@ -302,7 +298,7 @@ mod tests {
 
     #[test]
     fn no_region_has_too_few_samples() {
-        let few = FEWEST_SAMPLES - 1;
+        let few = fewest::NO_ACCIDENT - 1;
         let cuts = best_cuts(&cells(&[(0.0, few), (1.0, 30)]), 0.01 * 0.01, 15.0);
         assert!(cuts.iter().all(|cut| *cut > few), "{cuts:?}");
         let cuts = best_cuts(&cells(&[(0.0, few + 1), (1.0, 30)]), 0.01 * 0.01, 15.0);

@@ -8,6 +8,7 @@ use crate::answers::identification::{
 };
 use crate::effects::{PlaceKind, Setting};
 use crate::model::Model;
+use crate::rounding;
 use crate::sessions::{Session, Sigma};
 
 use super::gap::{Deviations, Spread, deviations, lengths_mm, suspects};
@@ -168,7 +169,7 @@ pub(crate) fn parameters_of(
         let own = covariance.map(|c| c.view((first, first), (size, size)).into_owned());
         let undetermined: Vec<bool> = (0..size)
             .map(|k| {
-                let open = solution.spectrum.undetermined_share(first + k) > 1e-6;
+                let open = solution.spectrum.undetermined_share(first + k) > rounding::WRITTEN;
                 open || term.held.contains(k)
             })
             .collect();

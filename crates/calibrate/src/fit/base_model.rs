@@ -23,6 +23,7 @@ use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
 use crate::sessions::{Session, Target};
 use crate::text::{Text, angle, length};
+use crate::{budget, fewest};
 
 use super::estimator::fit_without_outliers;
 use super::frames::frames_from;
@@ -43,10 +44,6 @@ use crate::model::rigid_motion::best_rigid_motion;
 /// A turn or a move beyond this is no error of an alignment: the frame was never aligned.
 const NEVER_ALIGNED_RAD: f64 = 0.1;
 const NEVER_ALIGNED_MM: f64 = 100.0;
-/// How often priors may be weighed anew and let go.
-const MOST_ROUNDS: usize = 8;
-/// A variance that changes by no more than this, as a logarithm, has settled.
-const SETTLED: f64 = 0.1;
 
 /// Whether the robot has a base model of its own here: several joints.
 pub(crate) fn is_arm(session: &Session) -> bool {
@@ -167,7 +164,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
     let (mut model, mut held) = with_gauge(problem, start);
     let mut solution = solve(problem, &links_held(&model));
     solution = fit_without_outliers(problem, &with_held_of(&solution.model, &model));
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..budget::ROUNDS {
         if solution.stopped == Stopped::Cancelled {
             break;
         }
@@ -179,7 +176,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
             None => variance(problem, &solution),
         };
         problem.priors.ln_scale = widths.map_or(width, |widths| widths.ln_scale);
-        let settled = (problem.priors.variance / before).ln().abs() < SETTLED
+        let settled = (problem.priors.variance / before).ln().abs() < budget::SETTLED
             && problem.priors.ln_scale == width;
         let missed = problem.priors.missed(&solution.model);
         if missed.is_empty() && settled {
@@ -239,7 +236,7 @@ fn likeliest_widths(problem: &Problem, solution: &Solution) -> Option<Widths> {
 /// Fits a model once more with the weak priors of this robot's own width beside everything that the model holds, the noise
 /// being known.
 pub(crate) fn with_own_widths(problem: &mut Problem, mut solution: Solution) -> Solution {
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..budget::ROUNDS {
         match likeliest_widths(problem, &solution) {
             Some(widths) if widths.ln_scale != problem.priors.ln_scale => {
                 problem.priors.ln_scale = widths.ln_scale;
@@ -359,7 +356,7 @@ fn is_turned(model: &Model) -> bool {
 fn may_turn(problem: &Problem, start: &Model) -> bool {
     let placed = |t: &&Term| of_one_target(t) && problem.priors.holds(t, 0);
     let targets = start.terms().iter().filter(placed).count();
-    targets >= 3 && problem.priors.targets_mm.is_some()
+    targets >= fewest::OF_A_BODY && problem.priors.targets_mm.is_some()
 }
 
 /// The model with its links where they are.

@@ -10,6 +10,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::Term;
 use crate::model::Model;
 use crate::observations::figures::judge;
+use crate::{budget, rounding};
 
 use super::gap::{Deviations, deviations_again, suspects_beside};
 use super::noise::Noise;
@@ -17,14 +18,8 @@ use super::problem::Problem;
 use super::regression::Rows;
 use super::solver::{Solution, Stopped, solve};
 
-/// How often outliers and noise are looked at again.
-const MOST_ROUNDS: usize = 10;
 /// How often the noise is estimated again: after that only outliers may change.
 const MOST_NOISE: usize = 3;
-/// Samples from which the noise of a long session is estimated …
-const MOST_SAMPLES: usize = 1000;
-/// … in so many stretches, so that short and long times between samples are among them.
-const STRETCHES: usize = 25;
 
 /// Fits the coefficients of `start`. The problem leaves with its outliers out and its noise known.
 pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
@@ -33,7 +28,7 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
         return of_all_kinds(problem, solution);
     }
     let mut left = Deviations::default();
-    for round in 0..MOST_ROUNDS {
+    for round in 0..budget::ROUNDS {
         if solution.stopped == Stopped::Cancelled {
             break;
         }
@@ -83,7 +78,7 @@ fn covariance(solution: &Solution) -> DMatrix<f64> {
 /// The same where more than plain points was measured: every kind has its own noise and its own
 /// outliers.
 fn of_all_kinds(problem: &mut Problem, mut solution: Solution) -> Solution {
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..budget::ROUNDS {
         let Some(layer) = problem.observed.as_mut() else {
             break;
         };
@@ -110,7 +105,7 @@ fn only_rescaled(problem: &Problem, before: [f64; 3]) -> Option<f64> {
         .filter(|a| before[*a] > 0.0)
         .map(|a| now[a] / before[a]);
     let (low, high) = factors.fold((f64::INFINITY, 0.0_f64), |(l, h), f| (l.min(f), h.max(f)));
-    (white && high - low <= 1e-9 * high).then_some(high)
+    (white && high - low <= rounding::COMPUTED * high).then_some(high)
 }
 
 /// Sizes that cannot be negative and came out so are zero; the others are fitted beside that. What
@@ -179,12 +174,12 @@ pub(crate) fn noise_beside(problem: &Problem, model: &Model, extra_coefficients:
 /// The samples of some stretches of a long problem.
 fn stretches(problem: &Problem) -> Option<Vec<usize>> {
     let count = problem.samples();
-    if count <= MOST_SAMPLES || problem.observed.is_some() {
+    if count <= budget::SAMPLES || problem.observed.is_some() {
         return None;
     }
-    let length = MOST_SAMPLES / STRETCHES;
-    let first = |k: usize| k * (count - length) / (STRETCHES - 1);
-    let places = (0..STRETCHES).flat_map(|k| first(k)..first(k) + length);
+    let length = budget::SAMPLES / budget::CELLS;
+    let first = |k: usize| k * (count - length) / (budget::CELLS - 1);
+    let places = (0..budget::CELLS).flat_map(|k| first(k)..first(k) + length);
     // Of little more samples than are wanted the stretches overlap.
     let mut places: Vec<usize> = places.collect();
     places.sort_unstable();

@@ -18,12 +18,13 @@
 use nalgebra::DMatrix;
 
 pub use crate::answers::errors::Expected;
+use crate::budget;
 use crate::effects::Inputs;
 use crate::model::Model;
 
 use super::priors::Priors;
 use super::problem::Problem;
-use super::ranges::{POSES, over_the_ranges};
+use super::ranges::over_the_ranges;
 use super::spread::spread;
 use super::unseen::{Unseen, beforehand, nothing_held};
 
@@ -47,7 +48,7 @@ pub(crate) fn expected_error(
     for (own, unseen) in over.iter_mut().zip(moved_by(&unseen, problem, &inputs)) {
         *own = own.hypot(unseen);
     }
-    let some = spread(&problem.used, POSES);
+    let some = spread(&problem.used, budget::OF_A_TRIAL);
     let measured = uncertainties_mm(model, &problem.inputs.select(&some), covariance)?;
     let rms = |all: &[f64]| {
         let square: f64 = all.iter().map(|e| e * e).sum();

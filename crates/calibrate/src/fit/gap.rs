@@ -5,6 +5,7 @@
 use nalgebra::{DMatrix, DVector};
 
 pub use crate::answers::errors::Spread;
+use crate::fewest;
 use crate::lanes::LANES;
 use crate::model::Model;
 use crate::observations::figures;
@@ -12,16 +13,6 @@ pub use crate::observations::figures::Deviations;
 use crate::observations::outliers::{as_if_seen, suspected};
 
 use super::problem::Problem;
-
-/// An error above this share of the robot's size is gross: effects leave less, so that it is of the rows, the set-up
-/// or the description. (Derived: a set-up error moves the tool by more than a hundredth of the robot's size.)
-pub(crate) const GROSS_SHARE: f64 = 0.01;
-
-/// The same of an angle: a hundredth of a turn.
-pub(crate) const GROSS_TURN_RAD: f64 = GROSS_SHARE * std::f64::consts::TAU;
-
-/// With fewer samples the axes are taken as stated.
-const FEWEST_TO_BALANCE: usize = 30;
 
 /// Deviations of a session's samples from a model.
 pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
@@ -180,7 +171,7 @@ pub(crate) fn suspects(problem: &Problem, deviations: &Deviations) -> Vec<bool> 
     }
     let axes: Vec<usize> = (0..3).filter(|a| problem.axis_weights[*a] > 0.0).collect();
     let all: Vec<&[f64]> = axes.iter().map(|a| &deviations.axes_mm[*a][..]).collect();
-    let balanced = problem.samples() >= FEWEST_TO_BALANCE;
+    let balanced = problem.samples() >= fewest::TO_SEARCH;
     let stated = problem.axis_weights;
     let sigma: Vec<f64> = axes.iter().map(|a| 1.0 / stated[*a].sqrt()).collect();
     suspected(&all, &problem.fit, &sigma, balanced)

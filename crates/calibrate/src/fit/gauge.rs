@@ -34,6 +34,7 @@ use crate::model::names::{coefficient_names, together};
 use crate::observations::Layer;
 use crate::sessions::Sigma;
 use crate::text::Text;
+use crate::{budget, rounding};
 
 use super::observed;
 use super::problem::Problem;
@@ -42,17 +43,14 @@ use super::usual_noise::{USUAL_NOISE_MM, stated_variance};
 
 /// A column of which less than this share is left beside others is a copy of them. Rounded axes
 /// (1.5708 for a right angle) leave some 4e-6.
-pub(super) const COPY: f64 = 1e-4;
-/// What is stated makes a column no copy by so many times that share.
-const TOLD: f64 = 10.0;
+pub(crate) const COPY: f64 = 1e-4;
+/// What is stated makes a column no copy by this share; of a combination that is not seen at most as much of its held
+/// coefficient's own column is left.
+pub(crate) const MOST_SEEN: f64 = 10.0 * COPY;
 /// Of what is a copy of one another the last is held, of those of its kind that have so large a part
 /// in it, as moves of the tool; and those with so large a part are named.
 const GOOD_PART: f64 = 0.3;
-const NAMED_PART: f64 = 0.02;
-/// A column that moves the samples by less than this is rounding, mm for a step of 1 mm or 1 mrad.
-const ROUNDING_MM: f64 = 1e-6;
-/// The gauge is found from so many samples at most.
-const MOST_SAMPLES: usize = 3000;
+pub(super) const NAMED_PART: f64 = 0.02;
 
 /// The model with everything held that the samples cannot show, whatever was held in it before.
 pub(crate) fn gauged(problem: &Problem, start: &Model) -> Model {
@@ -81,7 +79,7 @@ pub(super) fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIde
         let column = rows.column(place.column).into_owned();
         let own = column.norm();
         let unit = if place.turns { 1e-3 } else { 1.0 };
-        let seen = own * unit / (rows.nrows() as f64).sqrt() > ROUNDING_MM;
+        let seen = own * unit / (rows.nrows() as f64).sqrt() > rounding::WRITTEN;
         let free = basis.reject(&column);
         if seen && free.norm() > COPY * own {
             basis.push(rank, &column, &free);
@@ -216,9 +214,9 @@ fn in_order(problem: &Problem, model: &Model) -> Vec<Place> {
 /// an axis that was not measured zero.
 pub(super) fn columns(problem: &Problem, model: &Model) -> DMatrix<f64> {
     if let Some(layer) = &problem.observed {
-        return observed::columns(layer, model, MOST_SAMPLES);
+        return observed::columns(layer, model, budget::SAMPLES);
     }
-    let chosen = spread(&problem.used, MOST_SAMPLES);
+    let chosen = spread(&problem.used, budget::SAMPLES);
     let inputs: Inputs = problem.inputs.select(&chosen);
     let largest = problem.axis_weights.iter().copied().fold(0.0, f64::max);
     let mut rows = DMatrix::zeros(3 * chosen.len(), model.coefficient_count());
@@ -259,7 +257,7 @@ fn add_targets(problem: &Problem, model: &Model, rows: &mut DMatrix<f64>) {
     let wider = std::mem::replace(rows, DMatrix::zeros(0, 0));
     *rows = wider.insert_rows(first, own.len(), 0.0);
     // However little is stated, it tells what the targets share from what each has for itself.
-    let least = TOLD * COPY * (first as f64).sqrt();
+    let least = MOST_SEEN * (first as f64).sqrt();
     for (row, column) in own.into_iter().enumerate() {
         rows[(first + row, column)] = (noise / sigma).max(least);
     }

@@ -14,6 +14,7 @@ pub use crate::answers::errors::Level;
 use crate::effects::{LINK_GEOMETRY, MEASURING_FRAME, Role, Setting};
 use crate::model::Model;
 use crate::text::Template;
+use crate::{budget, fewest};
 
 use super::base_model;
 use super::gap::lengths_mm;
@@ -22,19 +23,11 @@ use super::solver::solve;
 use super::spread::spread;
 use crate::sessions::cells::{cells, folds_of_groups};
 
-/// Samples that levels are compared on.
-const MOST_SAMPLES: usize = 1000;
-/// Cells of the workspace, and in how many parts they are predicted by the others.
-const CELLS: usize = 20;
-const FOLDS: usize = 5;
-/// Below this number of samples nothing is said about unseen ones.
-const FEWEST: usize = 12;
-
 /// The levels of an identified model, on the samples of the problem that count.
 pub(crate) fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
-    if problem.observed.is_none() && problem.samples() > MOST_SAMPLES {
+    if problem.observed.is_none() && problem.samples() > budget::SAMPLES {
         // A session of its own: the rows that do not count need not go through every fit.
-        let rows = spread(problem.counted(), MOST_SAMPLES);
+        let rows = spread(problem.counted(), budget::SAMPLES);
         let session = problem
             .session
             .of_rows(&rows.iter().copied().map(Some).collect::<Vec<_>>());
@@ -42,7 +35,7 @@ pub(crate) fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
     }
     let mut part = problem.clone();
     part.noise = None;
-    part.thin(MOST_SAMPLES);
+    part.thin(budget::SAMPLES);
     of_part(&part, identified)
 }
 
@@ -63,9 +56,9 @@ fn folds(problem: &Problem, identified: &Model) -> Vec<usize> {
     let points: Vec<[f64; 3]> = used.iter().map(|i| predicted.get(*i)).collect();
     let mut fold = vec![0; problem.used.len()];
     let of_points = match &problem.observed {
-        None => cells(&points, CELLS)
+        None => cells(&points, budget::CELLS)
             .into_iter()
-            .map(|c| c % FOLDS)
+            .map(|c| c % budget::FOLDS)
             .collect(),
         Some(layer) => {
             // What a sample refers to is known from its own kind only.
@@ -74,7 +67,7 @@ fn folds(problem: &Problem, identified: &Model) -> Vec<usize> {
                 group[item.sample] = reference;
             }
             let groups: Vec<usize> = used.iter().map(|i| group[*i]).collect();
-            folds_of_groups(&points, &groups, FOLDS)
+            folds_of_groups(&points, &groups, budget::FOLDS)
         }
     };
     for (sample, own) in used.iter().zip(of_points) {
@@ -122,10 +115,10 @@ fn level(problem: &Problem, fold: &[usize], what: Template, start: &Model) -> Le
     let left = lengths_mm(problem, &solution.model);
     let used = |i: &usize| problem.used[*i];
     let own: Vec<f64> = (0..left.len()).filter(used).map(|i| left[i]).collect();
-    let enough = own.len() >= FEWEST;
+    let enough = own.len() >= fewest::TO_JUDGE;
     let unseen = || {
         let mut lengths = Vec::new();
-        for k in 0..FOLDS {
+        for k in 0..budget::FOLDS {
             let mut seen = problem.clone();
             let counted = seen.counted().iter().enumerate();
             let kept = counted.map(|(i, c)| *c && fold[seen.sample_of(i)] != k);

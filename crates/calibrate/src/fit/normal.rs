@@ -7,7 +7,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::block::Block;
-use crate::lanes::{LANES, Lanes, Lanes3};
+use crate::lanes::{LANES, Lanes, Lanes3, TOGETHER};
 use crate::observations::RowBlock;
 use crate::wide::{Loop, wide};
 
@@ -178,9 +178,6 @@ impl Normal {
         self.gram.fill_upper_triangle_with_lower_triangle();
     }
 }
-
-/// Columns that go through the filter together, so that they do not wait for one another.
-const TOGETHER: usize = 4;
 
 /// The filter of noise with a slow part on its way through the samples (see [`super::noise`]).
 pub(super) struct Whitening {

@@ -6,7 +6,7 @@
 
 use crate::effects::JointFrame;
 use crate::effects::inputs::reflectors_at_home;
-use crate::lanes::{LANES, Lanes, add_scaled, dot, minus};
+use crate::lanes::{LANES, Lanes, TOGETHER, add_scaled, dot, minus};
 use crate::sessions::Region;
 use crate::sincos::sin_cos_all;
 use crate::wide::{Loop, wide};
@@ -63,7 +63,7 @@ pub fn sum_by_region(problem: &Problem, regions: &[Region]) -> (Vec<RegionSums>,
     // A slot for each region and target, so that l1 is the same throughout a slot; after the
     // regions one for samples in none, and one for samples that do not count.
     let slots = regions.len() + 2;
-    let mut copies = vec![[[0.0; 4]; COPIES]; slots * plane.homes.len()];
+    let mut copies = vec![[[0.0; 4]; TOGETHER]; slots * plane.homes.len()];
     wide(Summing {
         plane: &plane,
         used: &problem.used,
@@ -83,17 +83,13 @@ pub fn sum_by_region(problem: &Problem, regions: &[Region]) -> (Vec<RegionSums>,
     (sums, outside)
 }
 
-/// Neighbouring lanes add to different copies of a sum, so that one addition need not wait for
-/// the one before it.
-const COPIES: usize = 4;
-
 /// The loop of [`sum_by_region`].
 struct Summing<'a> {
     plane: &'a Plane<'a>,
     used: &'a [bool],
     assignment: &'a Assignment<'a>,
     slots: usize,
-    copies: &'a mut [[[f64; 4]; COPIES]],
+    copies: &'a mut [[[f64; 4]; TOGETHER]],
 }
 
 impl Loop for Summing<'_> {
@@ -113,7 +109,7 @@ impl Loop for Summing<'_> {
                 let place = if *used { places[lane] } else { uncounted };
                 let (dx, dy) = (block.dx[lane], block.dy[lane]);
                 let slot = place + self.slots * block.target[lane];
-                let sums = &mut self.copies[slot][lane % COPIES];
+                let sums = &mut self.copies[slot][lane % TOGETHER];
                 let add = [1.0, dx, dy, dx * dx + dy * dy];
                 for (sum, value) in sums.iter_mut().zip(add) {
                     *sum += value;

@@ -1,12 +1,10 @@
 //! Prior knowledge among the normal equations.
 
+use super::regression::SIZE;
 use crate::model::Model;
 
 use super::normal::Normal;
 use super::priors::Priors;
-
-/// How well a size that no measurement shows is held, as a ratio.
-pub(super) const SIZE: f64 = 1e-6;
 
 impl Priors {
     /// Adds the rows of the priors to the normal equations of the samples.

@@ -21,7 +21,7 @@ use crate::model::Model;
 /// A prior that is missed by so many σ was wrong, and is let go.
 /// Priors of an arm: tool 50 mm, frame 20 mm and 20 mrad, links 1 mm and 2 mrad, zeros 50 mrad;
 /// `--no-prior` leaves them out.
-const MISSED: f64 = 4.0;
+pub(crate) const MISSED: f64 = 4.0;
 
 /// Weak priors on the geometry, as rows of the least-squares problem.
 #[derive(Debug, Clone, Default, PartialEq)]

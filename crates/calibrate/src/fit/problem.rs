@@ -111,7 +111,7 @@ fn without_constant(session: &Session, digits_mm: &[f64; 3], weights: [f64; 3]) 
 }
 
 /// A digit adds to the noise that is stated from this share of it on.
-const COARSE: f64 = 1.0 / 3.0;
+pub const COARSE: f64 = 1.0 / 3.0;
 
 /// Standard deviation of what rounding to the digit of each coordinate adds, mm. A coordinate of few
 /// different values has the digit of the others where it agrees with that.

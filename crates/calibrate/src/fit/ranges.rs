@@ -1,12 +1,10 @@
 //! Poses all over the joint ranges, where a model has to hold: spread evenly over the joint limits (an additive
 //! recurrence, Roberts 2018), where there are none over the values that were measured.
 
+use crate::budget;
 use crate::effects::Inputs;
 
 use super::problem::Problem;
-
-/// Poses over the joint ranges.
-pub(crate) const POSES: usize = 400;
 
 /// Poses over the limits of the joints, on the targets in turn.
 pub fn over_the_ranges(problem: &Problem) -> Inputs<'static> {
@@ -29,7 +27,9 @@ pub fn over_the_ranges(problem: &Problem) -> Inputs<'static> {
             .limits
             .map_or(measured, |range| (range.from, range.to));
         let at = |k: usize| (0.5 + step * (k as f64 + 1.0)).fract();
-        (0..POSES).map(|k| low + (high - low) * at(k)).collect()
+        (0..budget::OF_A_TRIAL)
+            .map(|k| low + (high - low) * at(k))
+            .collect()
     });
     let targets = problem.inputs.reflectors_at_home.len();
     at_poses(problem, columns.collect(), |k| k % targets)

@@ -17,7 +17,7 @@ use super::problem::Problem;
 
 /// How well a size that no measurement shows is held, as a ratio: far better than the samples show
 /// it, and no better than a basis can carry.
-const SIZE: f64 = 1e-4;
+pub(super) const SIZE: f64 = 1e-4;
 
 /// Which samples and axes have rows.
 #[derive(Debug, Clone)]

@@ -7,6 +7,7 @@
 //!
 //! with b the model's coefficients and c the candidate's. The best is taken.
 
+use super::solver::COARSE_BLOCKS;
 use nalgebra::DVector;
 
 use crate::effects::{Setting, Survey, Term, stated_orders};
@@ -23,8 +24,6 @@ use super::spectrum::Spectrum;
 const AT_ONCE: usize = 16;
 /// Whole orders are parted into no more.
 const MOST_PARTS: u16 = 4;
-/// Blocks that a scan looks at; a longer session is thinned.
-const MOST_BLOCKS: usize = 192;
 
 /// The nominal model with all the terms, those with a setting at their best one.
 pub(crate) fn with_best_settings(problem: &Problem, nominal: &Model, terms: Vec<Term>) -> Model {
@@ -134,7 +133,7 @@ fn score(problem: &Problem, base: &Model, term: &Term, settings: &[f64]) -> Vec<
         .fold(base.clone(), |m, s| m.with_term(absent(*s)));
     let mut normal = Normal::new(all.coefficient_count());
     let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
-    let stride = blocks.len().div_ceil(MOST_BLOCKS);
+    let stride = blocks.len().div_ceil(COARSE_BLOCKS);
     let starts = blocks.into_iter().step_by(stride);
     all.visit_blocks(&problem.inputs, true, starts, |start, block| {
         normal.add(problem, start, block, Sums::All);

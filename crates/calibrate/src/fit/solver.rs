@@ -17,7 +17,9 @@ use crate::effects::Role;
 use crate::effects::block::Block;
 use crate::lanes::LANES;
 use crate::model::Model;
+use crate::numeric::LONGEST_TURN;
 use crate::text::Template;
+use crate::{budget, rounding};
 
 use super::normal::{Normal, Sums, Whitening};
 use super::problem::Problem;
@@ -81,9 +83,8 @@ impl Solution {
     }
 }
 
-const MOST_STEPS: usize = 60;
 /// A session of more blocks than this is solved on as many first.
-const COARSE_BLOCKS: usize = 192;
+pub(super) const COARSE_BLOCKS: usize = 192;
 
 /// Fits the coefficients of `start` to the samples of the problem that count.
 pub fn solve(problem: &Problem, start: &Model) -> Solution {
@@ -116,7 +117,7 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
         if model.count() == 0 {
             break Stopped::NothingToDo;
         }
-        if passes > MOST_STEPS {
+        if passes > budget::STEPS {
             break Stopped::TooManySteps;
         }
         if !problem.watch.goes_on() {
@@ -135,10 +136,14 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
             model = trial;
             normal = next;
             steps = steps_at(problem, &normal, &model);
-            damping = if damping > 1e-9 { damping / 10.0 } else { 0.0 };
+            damping = if damping > rounding::COMPUTED {
+                damping / 10.0
+            } else {
+                0.0
+            };
         } else {
             damping = if damping > 0.0 { damping * 10.0 } else { 1e-6 };
-            if damping > 1e12 {
+            if damping * rounding::LAST_BITS > 1.0 {
                 break Stopped::NoDescent;
             }
         }
@@ -175,7 +180,7 @@ fn polish(problem: &Problem, near: &State, blocks: &[usize], passes: usize) -> S
     let step = spectrum.step(&normal.gradient, 0.0);
     let model = moved(near, &step);
     let last = sum(problem, &model, blocks, Sums::Gradient);
-    if last.cost > normal.cost * (1.0 + 1e-9) {
+    if last.cost > normal.cost * (1.0 + rounding::COMPUTED) {
         // The blocks that were left out hold something that the coarse fit knows nothing of.
         return descend(problem, near, blocks).0;
     }
@@ -237,8 +242,6 @@ fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal
 /// The least rise of the cost by which samples tell a coefficient: that of a move by two standard deviations, 2².
 /// What rises by less over the whole range that makes sense is not determined.
 const LEAST_TOLD: f64 = 4.0;
-/// Where the noise is not known yet: rounding of the coordinates, mm, in every sample.
-const ROUNDING_MM: f64 = 1e-6;
 
 /// The spectrum of a problem with another noise at a solution, the cost there, and the step to the
 /// solution under that noise.
@@ -311,7 +314,7 @@ fn limits_of_determinacy(problem: &Problem, normal: &Normal, state: &State) -> (
     let least = if problem.noise.is_some() {
         LEAST_TOLD
     } else {
-        normal.weight * ROUNDING_MM * ROUNDING_MM
+        normal.weight * rounding::WRITTEN * rounding::WRITTEN
     };
     (reaches, least)
 }
@@ -362,7 +365,6 @@ fn bounded(model: &Model, step: DVector<f64>) -> DVector<f64> {
 
 /// As far as geometry may go in one step, rad and mm.
 /// Derived: there the second-order part of a step reaches 5 % of it.
-const LONGEST_TURN: f64 = 0.3;
 const LONGEST_MOVE_MM: f64 = 200.0;
 
 fn moved(state: &State, step: &DVector<f64>) -> State {
@@ -392,5 +394,5 @@ fn rms(normal: &Normal) -> f64 {
 /// that moves the samples by a millionth of the residual is the last. Where nothing is left
 /// the limit is rounding.
 fn negligible(step: &DVector<f64>, normal: &Normal) -> bool {
-    displacement(step, normal) <= (1e-6 * rms(normal)).max(1e-13)
+    displacement(step, normal) <= (rounding::WRITTEN * rms(normal)).max(rounding::LAST_BITS)
 }

@@ -23,10 +23,8 @@ use super::problem::Problem;
 use super::solver::{Solution, solve};
 use crate::distributions::f_tail;
 use crate::model::Model;
+use crate::odds;
 use crate::sessions::poses::ByPose;
-
-/// By chance noise that is what it is said to be is taken for another in one of a thousand sessions.
-const CHANCE: f64 = 1e-3;
 
 /// A fit in which all rows count alike, and its covariance.
 pub(super) struct Alike {
@@ -52,7 +50,11 @@ pub(super) fn alike(problem: &mut Problem, beside: &Solution) -> Option<Alike> {
     let numbers = (poses * trial.axes()) as f64;
     let alike = rss(&trial, &solution.model) / (numbers - p);
     let f = (rss_beside - alike * (numbers - p)) / p / alike;
-    if numbers <= p || !f.is_finite() || f <= 0.0 || f_tail(f, p, numbers - p) > CHANCE {
+    if numbers <= p
+        || !f.is_finite()
+        || f <= 0.0
+        || f_tail(f, p, numbers - p) > odds::CLEAR.chance()
+    {
         return None;
     }
     // The spectrum is that of rows in units of the noise.

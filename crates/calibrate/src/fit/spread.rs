@@ -1,7 +1,6 @@
 //! Some of many, spread evenly: the one way in which a long session is thinned.
 
-/// An angle of no rhythm: no fraction of small numbers is near it.
-const GOLDEN_RATIO: f64 = 0.618_033_988_749_894_9;
+use crate::numeric::GOLDEN_RATIO;
 
 /// At most so many places among `count`, in order: one in each of as many stretches, at a step of the golden ratio inside
 /// it, so that no rhythm of the poses is hit.

@@ -6,6 +6,8 @@
 //! several motions explain the targets equally well, as of two targets that disagree, nothing tells where the tool is,
 //! and no answer may look as if something did.
 
+use super::priors::MISSED;
+use crate::odds;
 use nalgebra::{Rotation3, Unit, Vector3};
 
 use super::gap::lengths_mm;
@@ -15,19 +17,8 @@ use crate::kinematics::quaternion::log_of_matrix;
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
 
-/// A target is off beyond so many standard deviations of what is known of it and of what the fit shows.
-const OFF: f64 = 4.0;
-/// How much a target costs that has the name of another …
-const WRONG_NAME: usize = 1;
-/// … and one that is elsewhere: three numbers.
-const ELSEWHERE: usize = 3;
 /// Of more targets than these no wrong names are looked for.
 const MOST_NAMES: usize = 12;
-/// A turn is made of two targets: of each with so many others.
-const MOST_OTHERS: usize = 16;
-/// Beside a motion that explains the targets so many times better, as a logarithm, another with as many at their places
-/// is none.
-const BETTER: f64 = 7.0;
 
 /// A target as a fit with free places shows it.
 #[derive(Debug, Clone)]
@@ -61,7 +52,7 @@ pub(crate) enum Agreement {
 /// over so many samples of it.
 pub(crate) fn within_mm(sigma: f64, median_mm: f64, samples: usize) -> f64 {
     let shown = median_mm * (3.0 / samples.max(1) as f64).sqrt();
-    OFF * sigma.max(shown)
+    MISSED * sigma.max(shown)
 }
 
 /// Standard deviation of the places of so many targets, mm, beside which the 95 % interval of the shift that they
@@ -149,7 +140,7 @@ pub(crate) fn agreement(
         }
     }
     let least = best.iter().map(|b| b.3).fold(f64::INFINITY, f64::min);
-    best.retain(|b| b.3 <= least + 2.0 * BETTER);
+    best.retain(|b| b.3 <= least + 2.0 * odds::CLEAR.nats());
     if let [(_, at, motion, _)] = &mut best[..] {
         return Agreement::Settled {
             places_mm: seen.iter().map(|one| motion.undone(one)).collect(),
@@ -181,7 +172,7 @@ fn motions(
         for (target, place) in places(one) {
             let first = (place, one.at_mm);
             all.push((Motion::of(&[first], None), one.within_mm));
-            let others = if about.is_some() { MOST_OTHERS } else { 0 };
+            let others = if about.is_some() { MOST_NAMES } else { 0 };
             for other in seen[k + 1..].iter().take(others) {
                 for (_, place) in places(other).into_iter().filter(|p| p.0 != target) {
                     let second = (place, other.at_mm);
@@ -191,7 +182,7 @@ fn motions(
                         (motion.undone(seen) - place).norm()
                     };
                     let fits = apart(one, first.0).max(apart(other, second.0)) <= around;
-                    if fits && log_of_matrix(&motion.turn).norm() <= OFF * zero_sigma() {
+                    if fits && log_of_matrix(&motion.turn).norm() <= MISSED * zero_sigma() {
                         all.push((motion, around));
                     }
                 }
@@ -229,11 +220,11 @@ fn explained(
         let place = own.or_else(|| (0..others).find(is_at));
         cost += match place {
             Some(target) if target == one.of => 0,
-            Some(_) => WRONG_NAME,
-            None => ELSEWHERE,
+            Some(_) => 1,
+            None => 3,
         };
         if let Some(place) = place.and_then(|target| stated[target]) {
-            missed += (OFF * (here - place).norm() / one.within_mm).powi(2);
+            missed += (MISSED * (here - place).norm() / one.within_mm).powi(2);
         }
         at.push(place);
     }

@@ -11,7 +11,7 @@ use crate::effects::term::setting_quantity;
 use crate::effects::{Form, Setting, Term};
 use crate::kinematics::JointKind;
 use crate::model::Calibration;
-use crate::units::deg_from_rad;
+use crate::units::{HALF_TURN_DEG, deg_from_rad};
 
 use crate::answers::identification::Estimate;
 
@@ -25,7 +25,9 @@ pub(crate) fn half_width_factor(degrees_of_freedom: usize) -> f64 {
 
 /// The factor by which a standard error becomes half of a 95 % interval where the number of samples
 /// behind it is not known: a model keeps its covariance only.
-pub const NORMAL_95: f64 = 1.959964;
+pub fn normal_95() -> f64 {
+    t_quantile(0.975, f64::INFINITY)
+}
 
 /// The estimates of all parameters that a calibration holds, with intervals by its covariance and
 /// `factor`; without a covariance there are none.
@@ -160,7 +162,7 @@ fn half_widths(
             let phase = deg_from_rad(factor * around);
             vec![
                 Some(factor * radial / quantity.unit.scale),
-                (phase < 180.0).then_some(phase),
+                (phase < HALF_TURN_DEG).then_some(phase),
             ]
         }
     }

@@ -1,6 +1,7 @@
 //! What the samples do not determine, in words: the directions of the coefficients' space along
 //! which nothing changes, each as the parameters that can be exchanged for one another.
 
+use super::gauge::NAMED_PART;
 use super::solver::Solution;
 use crate::answers::identification::NotIdentifiable;
 use crate::model::names::{coefficient_names, together};
@@ -22,7 +23,7 @@ pub(super) fn undetermined_combinations(solution: &Solution) -> Vec<NotIdentifia
         let scaled = |k: usize| solution.spectrum.scaled_component(&direction.components, k);
         let largest = (0..names.len()).map(scaled).fold(0.0, f64::max);
         let mut involved: Vec<usize> = (0..names.len())
-            .filter(|k| size(*k) > 0.0 && scaled(*k) > 0.02 * largest)
+            .filter(|k| size(*k) > 0.0 && scaled(*k) > NAMED_PART * largest)
             .collect();
         involved.sort_by(|a, b| scaled(*b).total_cmp(&scaled(*a)));
         let named = with_one_unnamed(&involved, names.len() - solution.extra_coefficients.len());

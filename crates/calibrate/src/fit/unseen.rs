@@ -20,26 +20,23 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use crate::effects::{FixedMask, Inputs, LINK_GEOMETRY, Role, Term};
 use crate::linear::Kept;
 use crate::model::Model;
+use crate::thresholds::NOTHING_MM;
 
 use super::base_model;
 use super::gap::{Spread, lengths_mm};
-use super::gauge::{COPY, columns};
+use super::gauge::{COPY, MOST_SEEN, columns};
 use super::prior_scale;
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::ranges::over_the_ranges;
 use super::solver::{Solution, equations_at, solution_at, solve};
 
-/// Of a combination that is not seen at most this share of its held coefficient's own column is left.
-const MOST_SEEN: f64 = 10.0 * COPY;
 /// How far an instrument may stand from where it is thought to stand, where nothing is known: any turn alike, of which
 /// the standard deviation is π/√3, and a room of some metres, rad and mm.
-const ANYWHERE: [f64; 2] = [1.8, 1000.0];
+pub(crate) const ANYWHERE: [f64; 2] = [1.8, 1000.0];
 /// What is not linear over so long a line may cost at most this of the RMS error (a tenth of what the digits show that
 /// are printed of it) …
 const MOST_WORSE: f64 = 1.002;
-/// … and of samples without any so much, mm: less than any instrument shows.
-const NOTHING_MM: f64 = 1e-3;
 
 /// Combinations of coefficients that no sample shows, of a model with every link in it.
 pub(super) struct Unseen {

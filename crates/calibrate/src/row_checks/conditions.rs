@@ -1,6 +1,7 @@
 //! Loads and temperatures in another unit: no robot of that size carries a tonne, and no workshop is at
 //! 295 °C.
 
+use super::missing_values::TEMPERATURES_C;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::numeric::extent;
@@ -12,9 +13,7 @@ const LEAST_PAYLOAD_KG: f64 = 60.0;
 const PAYLOAD_KG_PER_M2: f64 = 300.0;
 /// A load of less is none, kg.
 const LEAST_LOAD_KG: f64 = 0.005;
-/// Temperatures of a machine in kelvin …
-const KELVIN: std::ops::Range<f64> = 230.0..390.0;
-/// … in degrees Fahrenheit, where no air is as hot in degrees Celsius …
+/// Temperatures of a machine in degrees Fahrenheit, where no air is as hot in degrees Celsius …
 const FAHRENHEIT: std::ops::Range<f64> = 58.0..120.0;
 /// … and where it is that of a workshop: 15 to 32 °C.
 const WORKSHOP_FAHRENHEIT: std::ops::Range<f64> = 59.0..90.0;
@@ -55,7 +54,9 @@ fn load(session: &Session) -> Option<DataProblem> {
 fn temperature(session: &Session) -> Option<DataProblem> {
     let column = session.samples.temperature_c.as_deref()?;
     let [least, most] = extent(column);
-    if KELVIN.contains(&least) && KELVIN.contains(&most) {
+    let is_kelvin =
+        |v: f64| !TEMPERATURES_C.contains(&v) && TEMPERATURES_C.contains(&(v - ZERO_KELVIN));
+    if is_kelvin(least) && is_kelvin(most) {
         return Some(DataProblem::of_all(
             text!(
                 "temperature in kelvin: temperature_c runs from {least} to {most}",

@@ -15,18 +15,13 @@ use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::resolution::resolution_mm;
 use crate::sessions::{Samples, Session, Sigma};
+use crate::{odds, rounding};
 
 use super::rows::listed;
 
 /// Noise of a coordinate where nothing is stated, mm: rather too small, so that chance is not
 /// underrated.
 const LEAST_NOISE_MM: f64 = 0.005;
-/// The chance that a clock says the same twice.
-const SAME_TIME: f64 = 1e-3;
-/// Copies have to be so much likelier than chance, as a logarithm, beyond the choice of both rows.
-const EVIDENCE: f64 = 7.0;
-/// The digit of values that have all digits of a number, mm.
-const FINEST_MM: f64 = 1e-9;
 
 pub(super) fn copied(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let samples = &session.samples;
@@ -35,7 +30,7 @@ pub(super) fn copied(session: &Session, _: JointValues) -> Vec<DataProblem> {
         return Vec::new();
     }
     let per_row = -chance(session).ln();
-    let least = EVIDENCE + 2.0 * (samples.len() as f64).ln();
+    let least = odds::CLEAR.nats() + 2.0 * (samples.len() as f64).ln();
     let mut copies = Vec::new();
     let mut origins = Vec::new();
     for run in runs(&twins) {
@@ -148,17 +143,17 @@ fn chance(session: &Session) -> f64 {
             if recurs(column) {
                 f64::INFINITY
             } else {
-                FINEST_MM
+                rounding::COMPUTED
             }
         });
-        let width = 2.0 * std::f64::consts::PI.sqrt() * noise(axis).max(1e-12);
+        let width = 2.0 * std::f64::consts::PI.sqrt() * noise(axis).max(f64::EPSILON);
         (digit / width).min(1.0)
     });
     let clock = samples
         .time_s
         .as_deref()
         .is_some_and(|t| t.iter().any(|v| *v != t[0]));
-    own.product::<f64>() * if clock { SAME_TIME } else { 1.0 }
+    own.product::<f64>() * if clock { odds::CLEAR.chance() } else { 1.0 }
 }
 
 /// Everything that a row records, bit by bit.

@@ -5,13 +5,11 @@
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
+use crate::fit::problem::COARSE;
 use crate::fit::problem::digits_mm;
 use crate::fit::usual_noise::USUAL_NOISE_MM;
 use crate::sessions::{Session, SessionCorrection, Sigma};
 use crate::text::Text;
-
-/// What rounding adds matters above this share of the noise otherwise expected.
-const MATTERS: f64 = 1.0 / 3.0;
 
 pub(crate) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let added_mm = digits_mm(session);
@@ -22,7 +20,7 @@ pub(crate) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
         None => USUAL_NOISE_MM,
     };
     let coarse: Vec<usize> = (0..3)
-        .filter(|axis| added_mm[*axis] > MATTERS * expected(*axis))
+        .filter(|axis| added_mm[*axis] > COARSE * expected(*axis))
         .collect();
     if coarse.is_empty() {
         return Vec::new();

@@ -6,18 +6,16 @@ use std::collections::BTreeMap;
 use super::rows::listed;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
+use crate::fewest;
+use crate::observations::outliers::MOST_SHARE;
 use crate::sessions::Session;
 use crate::text::length;
+use crate::thresholds::GROSS_SHARE;
 
-/// No robot that can be calibrated repeats worse than this share of its reach.
-pub(crate) const WORST_REPEATABILITY: f64 = 0.01;
 /// So many returns are no accident, and as large a share of the samples.
-const FEWEST: usize = 8;
 const LEAST_SHARE: f64 = 0.25;
 /// No frame, target or load moves a point by this share of the reach: the command was another.
 const ELSEWHERE: f64 = 0.1;
-/// Where no more than this share of the samples contradicts others at the same command, the others tell what is true.
-const MOST_SHARE: f64 = 0.35;
 
 /// Samples that repeat a command, each with its distance from the middle of its returns, mm.
 struct Return {
@@ -52,12 +50,12 @@ pub(super) fn far_apart(session: &Session, values: JointValues) -> Vec<DataProbl
             contradicted,
         )];
     }
-    if returns.len() < FEWEST || (returns.len() as f64) < LEAST_SHARE * samples {
+    if returns.len() < fewest::TO_JUDGE || (returns.len() as f64) < LEAST_SHARE * samples {
         return Vec::new();
     }
     returns.sort_by(|a, b| a.from_middle_mm.total_cmp(&b.from_middle_mm));
     let median_mm = returns[returns.len() / 2].from_middle_mm;
-    if median_mm <= WORST_REPEATABILITY * session.robot.reach_mm() {
+    if median_mm <= GROSS_SHARE * session.robot.reach_mm() {
         return Vec::new();
     }
     vec![DataProblem::of_all(

@@ -1,13 +1,14 @@
 //! What is asked of a compensation, and why there is none.
 
+use std::path::Path;
+
 use crate::compensation::{TableError, VerifiedCalibration};
 use crate::diagnostic::Rejected;
 use crate::effects::{Role, Term};
 use crate::kinematics::Pose;
 use crate::model::Calibration;
 use crate::text::Text as Sentence;
-use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG};
-use std::path::Path;
+use crate::units::{LARGEST_LENGTH_MM, LARGEST_NUMBER};
 
 use super::Language;
 use super::program_frames::{Differences, ModelTool, Precedence, ProgramFrames};
@@ -117,7 +118,7 @@ impl Request<'_> {
             let turn = &pose.rotation.coords;
             pose.translation.vector.iter().all(length) && (turn.norm() - 1.0).abs() <= 1e-6
         };
-        let load = |kg: f64| kg.abs() <= LARGEST_MASS_KG;
+        let load = |kg: f64| kg.abs() <= LARGEST_NUMBER;
         let start = self.start.iter().flatten();
         let on_flange = match &self.tool {
             Some(ModelTool::OnFlange(tool)) => pose(tool),
@@ -133,7 +134,7 @@ impl Request<'_> {
         };
         let all = [
             (
-                start.into_iter().all(|q| q.abs() <= LARGEST_JOINT_VALUE),
+                start.into_iter().all(|q| q.abs() <= LARGEST_NUMBER),
                 "the start",
             ),
             (load(self.load_kg) && given_load, "the load"),

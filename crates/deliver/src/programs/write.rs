@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 
 use crate::kinematics::{JointKind, Robot};
 use crate::refusal::Refusal;
-use crate::units::LARGEST_JOINT_VALUE;
+use crate::units::LARGEST_NUMBER;
 
 use super::axes::{Axes, MOST_OWN, Slot};
 
@@ -38,7 +38,7 @@ pub fn stops(
 ) -> Result<String, Refusal> {
     let axes = Axes::new(robot);
     let joints = axes.joints();
-    let is_value = |value: &f64| value.abs() <= LARGEST_JOINT_VALUE;
+    let is_value = |value: &f64| value.abs() <= LARGEST_NUMBER;
     let goes = |q: &[f64]| q.len() == joints && q.iter().all(is_value);
     let nowhere = |stop: &Stop| !goes(&stop.q) || stop.from.as_deref().is_some_and(|q| !goes(q));
     if let Some(index) = stops.iter().position(nowhere) {

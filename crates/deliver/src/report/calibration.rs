@@ -3,7 +3,7 @@
 use crate::compensation::VerifiedCalibration;
 use crate::compensation::decision::Outcome;
 use crate::explain::{self, Detail, fact};
-use crate::fit::uncertainty::{NORMAL_95, all_estimates};
+use crate::fit::uncertainty::{all_estimates, normal_95};
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
 use crate::present::decision;
@@ -135,7 +135,7 @@ fn history(c: &Calibration, tolerance_mm: Option<f64>) -> Section {
 
 pub(super) fn values(c: &Calibration) -> Section {
     let mut blocks = Vec::new();
-    let all = all_estimates(c, NORMAL_95);
+    let all = all_estimates(c, normal_95());
     if !all.is_empty() {
         blocks.push(Block::text(say!(
                 "Deviations of the real robot from the nominal model: a length of −1 mm is 1 mm short. Intervals are from the model's covariance, for many samples"

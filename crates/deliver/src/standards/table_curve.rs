@@ -13,7 +13,7 @@ use nalgebra::{Point3, Vector3};
 
 use crate::compensation::with_table::moved_at;
 use crate::effects::Inputs;
-use crate::fit::uncertainty::NORMAL_95;
+use crate::fit::uncertainty::normal_95;
 use crate::kinematics::JointKind;
 use crate::model::{Calibration, Model};
 use crate::numeric::whole;
@@ -82,7 +82,7 @@ fn side_of(
         Some(CurvePoint {
             commanded: kind.to_display(q[k]),
             deviation: without(k)?,
-            half_width: sure.as_ref().map(|sigma| NORMAL_95 * sigma[k]),
+            half_width: sure.as_ref().map(|sigma| normal_95() * sigma[k]),
         })
     };
     (0..q.len()).map(point).collect()
@@ -228,7 +228,7 @@ mod tests {
             let apart = down.deviation - up.deviation;
             assert!((apart - 2.0 * HALF_REVERSAL).abs() < 3e-4, "{apart}");
             let half = up.half_width.expect("the model says how sure it is");
-            assert!(half > NORMAL_95 * SIGMA && half < 20.0 * SIGMA, "{half}");
+            assert!(half > normal_95() * SIGMA && half < 20.0 * SIGMA, "{half}");
         }
     }
 

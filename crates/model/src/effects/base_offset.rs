@@ -51,4 +51,4 @@ fn act(me: &Placed, block: &mut Block) {
 }
 
 /// The derivatives of a point with respect to its own coordinates.
-pub(super) const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+pub(crate) const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -160,9 +160,6 @@ pub struct Block<'a> {
     pub len: usize,
 }
 
-/// Where a target is that the inputs do not have.
-const NOWHERE: [f64; 3] = [f64::NAN; 3];
-
 impl<'a> Block<'a> {
     /// Room for blocks of a model with so many coefficients. Without `differentiate` there are no
     /// columns.
@@ -259,13 +256,13 @@ impl<'a> Block<'a> {
                 let index = target.get(start + lane.min(len.saturating_sub(1)));
                 let index = index.copied().unwrap_or(0);
                 self.target[lane] = f64::from(index);
-                let home = homes.get(index as usize).copied().unwrap_or(NOWHERE);
+                let home = homes.get(index as usize).copied().unwrap_or([f64::NAN; 3]);
                 for (axis, value) in home.into_iter().enumerate() {
                     self.point[axis][lane] = value;
                 }
             }
         } else {
-            let home = homes.first().copied().unwrap_or(NOWHERE);
+            let home = homes.first().copied().unwrap_or([f64::NAN; 3]);
             for (lanes, value) in self.point.iter_mut().zip(home) {
                 lanes.fill(value);
             }

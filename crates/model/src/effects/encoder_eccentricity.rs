@@ -35,13 +35,14 @@ const ABOUT: About = About {
 
 pub(super) static ENCODER_ECCENTRICITY: Effect = Effect::new(ABOUT, act);
 
+/// Beyond |ε| = 1 the ring would not enclose the axis; short of it a wild trial step of the solver stays finite.
+const MOST_SINE: f64 = 0.999;
+
 fn act(me: &Placed, block: &mut Block) {
     let (a, b) = (me.coefficients[0], me.coefficients[1]);
     block.turn(me, |theta, at| {
         let (s, c) = sin_cos(at.q);
-        // Beyond |ε| = 1 the ring would not enclose the axis; the clamp keeps a wild trial
-        // step of the solver finite.
-        let sine = (a * s - b * c).clamp(-0.999, 0.999);
+        let sine = (a * s - b * c).clamp(-MOST_SINE, MOST_SINE);
         let slope = 1.0 / (1.0 - sine * sine).sqrt();
         Turned {
             value: theta + sine.asin(),
@@ -53,7 +54,7 @@ fn act(me: &Placed, block: &mut Block) {
         let (s, c) = sin_cos(at.q);
         let sine = a * s - b * c;
         // Where the sine is clamped it does not change.
-        if sine.abs() < 0.999 {
+        if sine.abs() < MOST_SINE {
             (a * c + b * s) / (1.0 - sine * sine).sqrt()
         } else {
             0.0

@@ -11,6 +11,7 @@
 //! that with gravity along −z they are the base frame's own.
 
 use super::about::{About, Form, Over, Quantity, Stage};
+use super::base_offset::AXES;
 use super::block::Block;
 use super::gravity::{overturning_nm, overturning_slope};
 use super::needs::Need;
@@ -19,6 +20,7 @@ use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{LANES, add_scaled, cross, dot, scaled, times};
+use crate::rounding;
 use crate::text::Text;
 
 const ABOUT: About = About {
@@ -90,7 +92,7 @@ fn remedy(_: &Robot, _: &Term) -> Text {
 
 fn act(me: &Placed, block: &mut Block) {
     let Some(down) = me.down else {
-        block.transform(me, |p, _| (p, IDENTITY, [[0.0; 3]; 2]));
+        block.transform(me, |p, _| (p, AXES, [[0.0; 3]; 2]));
         return;
     };
     let (x, y) = across(down);
@@ -121,17 +123,15 @@ fn act(me: &Placed, block: &mut Block) {
     }
 }
 
-const IDENTITY: [[f64; 3]; 3] = super::base_offset::AXES;
-
 /// Two directions across gravity.
 fn across(down: [f64; 3]) -> ([f64; 3], [f64; 3]) {
     let projected = |v: [f64; 3]| add_scaled(v, down, -dot(v, down));
     let unit = |v: [f64; 3]| scaled(v, 1.0 / dot(v, v).sqrt());
-    let first = projected(IDENTITY[0]);
-    let x = if dot(first, first) > 1e-6 {
+    let first = projected(AXES[0]);
+    let x = if dot(first, first) > rounding::WRITTEN {
         unit(first)
     } else {
-        unit(projected(IDENTITY[1]))
+        unit(projected(AXES[1]))
     };
     (x, cross(x, down))
 }

@@ -10,9 +10,7 @@ use crate::lanes::{
     LANES, Lanes, Lanes3, add_scaled, add_scaled_lanes, cross, in_all_lanes, turn_lanes, turned,
 };
 use crate::sincos::{sin_cos_lanes, sin_cos_small as sin_cos};
-
-/// One metre in a millimetre.
-const MM: f64 = 1e-3;
+use crate::units::MM_PER_M;
 
 /// A mass and its first moment.
 #[derive(Debug, Clone, Copy, Default)]
@@ -92,7 +90,7 @@ pub(super) fn first_moment_slope(
     other: usize,
     lane: usize,
 ) -> [f64; 3] {
-    slope(block, joint, other, lane, false).map(|v| v * MM)
+    slope(block, joint, other, lane, false).map(|v| v / MM_PER_M)
 }
 
 /// Derivative of [`overturning_nm`] by the command of a joint, N·m per rad or mm.
@@ -101,7 +99,7 @@ pub(super) fn overturning_slope(block: &Block, other: usize, lane: usize) -> [f6
         return [0.0; 3];
     };
     let slope = slope(block, 0, other, lane, true);
-    cross(slope.map(|v| v * MM), gravity.into())
+    cross(slope.map(|v| v / MM_PER_M), gravity.into())
 }
 
 /// Derivative of [`seen_by`] by the command of a joint before, m/s² per rad or mm.
@@ -127,7 +125,7 @@ pub(super) fn first_moment(block: &Block, joint: usize, lane: usize) -> [f64; 3]
     let carried = Carried::by(block, joint, lane);
     let origin = block.robot.joints[joint].axis.point_mm.coords.into();
     let arm = add_scaled(carried.moment, origin, -carried.mass_kg);
-    arm.map(|v| v * MM)
+    arm.map(|v| v / MM_PER_M)
 }
 
 /// [`first_moment`] of every lane, with the same bits; a part of wide loops.
@@ -169,7 +167,7 @@ pub(super) fn first_moments(block: &Block, joint: usize) -> Lanes3 {
     }
     let origin = robot.joints[joint].axis.point_mm.coords.into();
     add_scaled_lanes(&mut moment, origin, |i| -mass[i]);
-    moment.map(|own| own.map(|v| v * MM))
+    moment.map(|own| own.map(|v| v / MM_PER_M))
 }
 
 /// [`seen_by`] of every lane, with the same bits; a part of wide loops.
@@ -201,7 +199,7 @@ pub(super) fn overturning_nm(block: &Block, lane: usize) -> [f64; 3] {
         return [0.0; 3];
     };
     let carried = Carried::by(block, 0, lane).moved(first, block.command(0, lane));
-    cross(carried.moment.map(|v| v * MM), gravity.into())
+    cross(carried.moment.map(|v| v / MM_PER_M), gravity.into())
 }
 
 /// Gravity as a joint sees it, turned back by the joints before it, m/s²; zero where it is not known.

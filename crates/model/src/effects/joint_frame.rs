@@ -1,6 +1,7 @@
 //! Directions and points of one joint that effects refer to.
 
 use crate::kinematics::{Axis, Robot};
+use crate::rounding;
 
 /// Directions and points of one joint that effects refer to, base frame, at home.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +36,7 @@ impl JointFrame {
         let along = axis.direction.into_inner();
         let across = |v: Vector3<f64>| v - along * along.dot(&v);
         let x = across(Vector3::x());
-        let across_1 = if x.norm() > 1e-3 {
+        let across_1 = if x.norm_squared() > rounding::WRITTEN {
             x
         } else {
             across(Vector3::y())
@@ -45,7 +46,7 @@ impl JointFrame {
         let arm = tool - axis.point_mm.coords;
         let radial = across(arm);
         let radius_mm = radial.norm();
-        let on_axis = radius_mm <= 1e-9 * (1.0 + arm.norm());
+        let on_axis = radius_mm <= rounding::COMPUTED * (1.0 + arm.norm());
         let radial = if on_axis {
             Vector3::zeros()
         } else {

@@ -23,6 +23,7 @@ use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, cross, dot, scaled, times};
+use crate::rounding;
 use crate::text::Text;
 
 const ABOUT: About = About {
@@ -95,7 +96,7 @@ fn act(me: &Placed, block: &mut Block) {
 pub(crate) fn across(along: [f64; 3]) -> ([f64; 3], [f64; 3]) {
     let mut least = 0;
     for axis in 1..3 {
-        if along[axis].abs() < along[least].abs() - SAME {
+        if along[axis].abs() < along[least].abs() - rounding::WRITTEN {
             least = axis;
         }
     }
@@ -104,9 +105,6 @@ pub(crate) fn across(along: [f64; 3]) -> ([f64; 3], [f64; 3]) {
     let x = scaled(x, 1.0 / dot(x, x).sqrt());
     (x, cross(along, x))
 }
-
-/// Axes that are as parallel as each other up to this count as equals.
-const SAME: f64 = 1e-6;
 
 /// A screw about a joint's point.
 #[derive(Clone, Copy)]

@@ -35,7 +35,7 @@ pub(super) static LOST_MOTION: Effect = Effect::new(ABOUT, act);
 fn act(me: &Placed, block: &mut Block) {
     let width = me.coefficients[0];
     // A fade of zero is the limit, backlash; 0/0 at a travel of zero must not arise.
-    let per_fade = 1.0 / fade(me.setting, me.coefficients[1]).max(1e-12);
+    let per_fade = 1.0 / fade(me.setting, me.coefficients[1]).max(f64::MIN_POSITIVE);
     block.turn(me, |theta, at| {
         let fades = at.travel * per_fade;
         let left = (-fades).exp();

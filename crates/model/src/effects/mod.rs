@@ -36,7 +36,7 @@ pub mod words;
 mod axis_tilt;
 mod axis_wobble;
 mod backlash;
-mod base_offset;
+pub(crate) mod base_offset;
 mod bearing_runout;
 mod catalogue;
 mod encoder_eccentricity;

@@ -8,12 +8,11 @@
 //! The first sum is the sag of the joint under parts that turn with it and with the joints behind it, by
 //! moments along the directions across their axes (see `joint-compliance`), per unit of gravity.
 
+use super::curve::MOST_KNOTS;
 use crate::effects::joint_frame::JointFrame;
 use crate::kinematics::{JointKind, Robot};
 use crate::lanes::{add_scaled, cross, dot, turned};
 
-/// More waves than this in one direction are a mistake.
-const MOST_WAVES: usize = 1000;
 /// Outside the measured range a correction has faded after so much of the range.
 const FADE: f64 = 0.25;
 /// Joints whose parts sag: the joint and two behind it; two moments each.
@@ -137,7 +136,7 @@ impl Rest {
                 .iter()
                 .chain(&along.conditions)
                 .all(|v| v.is_finite());
-            if !finite || along.waves.len() > MOST_WAVES || !along.waves.iter().all(is_good) {
+            if !finite || along.waves.len() > MOST_KNOTS || !along.waves.iter().all(is_good) {
                 return Err(RestError::Waves);
             }
         }

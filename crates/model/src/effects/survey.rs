@@ -1,12 +1,13 @@
 //! What a session shows: which conditions vary, and how far. Effects ask it whether they can be
 //! tested at all.
 
-use crate::numeric::extent;
-use crate::text::Text;
 use nalgebra::Vector3;
 
 use crate::kinematics::{JointKind, Robot};
+use crate::numeric::extent;
 use crate::sessions::{Instrument, Session, Sigma};
+use crate::text::Text;
+use crate::{budget, rounding};
 
 use super::inputs::Inputs;
 use super::joint_frame::JointFrame;
@@ -199,19 +200,14 @@ fn has_lever(robot: &Robot, inputs: &Inputs, joint: usize, gravity: Vector3<f64>
             JointKind::Prismatic => g,
         })
     };
-    let least = LEAST_LEVER * gravity.norm();
+    let least = rounding::COMPUTED * gravity.norm();
     if joint == 0 || inputs.is_empty() {
         return across(gravity) > least;
     }
-    let stride = (inputs.len() / MOST_POSES).max(1);
+    let stride = (inputs.len() / budget::OF_A_TRIAL).max(1);
     let mut poses = (0..inputs.len()).step_by(stride);
     poses.any(|sample| across(as_seen(sample)) > least)
 }
-
-/// A lever below this share of gravity is rounding.
-const LEAST_LEVER: f64 = 1e-9;
-/// So many poses are looked at.
-const MOST_POSES: usize = 200;
 
 fn extremes(values: &[f64]) -> (f64, f64) {
     if values.is_empty() {

@@ -61,7 +61,7 @@ impl FixedMask {
 
     /// Whether a coefficient is held.
     pub fn contains(self, coefficient: usize) -> bool {
-        coefficient < 32 && self.0 & (1 << coefficient) != 0
+        coefficient < u32::BITS as usize && self.0 & (1 << coefficient) != 0
     }
 
     /// Whether none is.

@@ -11,6 +11,7 @@ use super::needs::Need;
 use super::rotation::{left_jacobian, rotation};
 use super::units::Unit;
 use super::{Effect, Placed};
+use crate::fewest;
 use crate::lanes::{add_scaled, cross, minus, times};
 
 const ABOUT: About = About {
@@ -43,7 +44,7 @@ const SEVERAL_JOINTS: Need = Need::of_samples(Need::SEVERAL_JOINTS, |survey, _| 
 /// Enough targets to tell how the tool is turned.
 const THREE_TARGETS: Need =
     Need::of_samples(phrase!("three targets, or orientation"), |survey, _| {
-        (survey.targets < 3).then(|| {
+        (survey.targets < fewest::OF_A_BODY).then(|| {
             text!(
                 "orientation is not measured, and {targets} of three targets on the tool",
                 targets = survey.targets

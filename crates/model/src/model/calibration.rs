@@ -1,12 +1,12 @@
 //! A calibration: the model that came out of a session, how sure it is, and how it came about.
 
-use crate::text::Text;
 use nalgebra::DMatrix;
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::kinematics::Range;
 use crate::sessions::{Region, Target};
-use crate::units::LARGEST_JOINT_VALUE;
+use crate::text::Text;
+use crate::units::LARGEST_NUMBER;
 
 use super::{Model, SetUp};
 
@@ -176,7 +176,7 @@ impl Calibration {
                 text!("at most {joints}, one for each joint", joints),
             );
         }
-        let is_value = |value: f64| value.abs() <= LARGEST_JOINT_VALUE;
+        let is_value = |value: f64| value.abs() <= LARGEST_NUMBER;
         let is_range = |range: &Range| is_value(range.from) && is_value(range.to);
         if !self.measured.iter().all(is_range) {
             let found = text!("a range that is not finite or too large");

@@ -10,9 +10,6 @@ use crate::sessions::{Group, Session, SessionCorrection};
 
 use super::{Layer, Residual};
 
-/// Most numbers that say where a group is.
-pub const MOST_NUMBERS: usize = MOST;
-
 /// One observation beside a model, in units of its noise.
 #[derive(Debug, Clone)]
 pub struct ComparedObservation {
@@ -29,7 +26,7 @@ pub struct ComparedObservation {
 impl ComparedObservation {
     /// How what is predicted moves with the numbers of a group, row by row: mm along x, y, z of the tool of a target;
     /// a rotation vector and mm of a setup, rad; the coefficients of a place.
-    pub fn by(&self, group: Group) -> [[f64; MOST_NUMBERS]; 3] {
+    pub fn by(&self, group: Group) -> [[f64; MOST]; 3] {
         std::array::from_fn(|row| match group {
             Group::Target => {
                 let along = self.turn.tr_mul(&Vector3::from(self.left.by_point[row]));

@@ -6,13 +6,8 @@ use crate::effects::{Inputs, Term, joint_zero};
 use crate::kinematics::JointKind;
 use crate::lanes::dot;
 use crate::model::Model;
-
-/// Steps of Newton's method.
-const STEPS: usize = 60;
-/// The target is there where no more than this is missing, mm.
-const THERE_MM: f64 = 1e-9;
-/// The longest step of a joint, rad; of one that slides as many times a metre.
-const LONGEST: f64 = 0.3;
+use crate::numeric::LONGEST_TURN;
+use crate::{budget, rounding};
 
 /// What is missing of each condition, mm, and how it falls with the point.
 pub(crate) type Missing = (Vec<f64>, Vec<[f64; 3]>);
@@ -26,9 +21,9 @@ pub fn bring(model: &Model, own: &mut Inputs, missing: impl Fn([f64; 3]) -> Miss
     let probed = (0..joints).fold(Model::nominal(model.robot.clone()), |m, joint| {
         m.with_term(Term::absent(zero, joint, 0.0))
     });
-    for _ in 0..STEPS {
+    for _ in 0..budget::STEPS {
         let (left, rows) = missing(model.predict(own).get(0));
-        if left.iter().all(|v| v.abs() < THERE_MM) {
+        if left.iter().all(|v| v.abs() < rounding::COMPUTED) {
             return true;
         }
         let mut slopes = DMatrix::zeros(rows.len(), joints);
@@ -49,7 +44,7 @@ pub fn bring(model: &Model, own: &mut Inputs, missing: impl Fn([f64; 3]) -> Miss
             let slides = model.robot.joints[j].kind == JointKind::Prismatic;
             step[j].abs() / if slides { 1000.0 } else { 1.0 }
         });
-        let shorten = (LONGEST / longest.fold(LONGEST, f64::max)).min(1.0);
+        let shorten = (LONGEST_TURN / longest.fold(LONGEST_TURN, f64::max)).min(1.0);
         for joint in 0..joints {
             own.q[joint].to_mut()[0] += shorten * step[joint];
         }

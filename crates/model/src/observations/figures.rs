@@ -4,8 +4,9 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::lanes::LANES;
 use crate::model::Model;
+use crate::{budget, fewest};
 
-use super::outliers::{are_the_rule, as_if_seen, suspected};
+use super::outliers::{are_the_rule, as_if_seen, kept, suspected};
 use super::{KINDS, Layer};
 
 /// Deviation of every sample, as columns, mm; NaN where a sample cannot be used.
@@ -90,11 +91,6 @@ fn left(layer: &Layer, model: &Model) -> WhitenedRows {
     left
 }
 
-/// Samples from which on a kind's own noise is found again.
-const FEWEST: usize = 4;
-/// A noise that changes by no more than this, as a logarithm, has settled.
-const SETTLED: f64 = 0.02;
-
 /// How many standard deviations of itself a noise has to be below the stated one to be believed instead.
 const CLEARLY: f64 = 3.0;
 
@@ -144,7 +140,7 @@ pub fn judge(
             Some(stated) if rows < all => no_larger(stated, found, rows, rank),
             Some(_) => continue,
         };
-        changed |= (now / layer.sigma[kind]).ln().abs() > SETTLED;
+        changed |= (now / layer.sigma[kind]).ln().abs() > budget::SETTLED;
         layer.sigma[kind] = now;
     }
     changed
@@ -267,7 +263,7 @@ fn spread(layer: &Layer, kind: usize, left: &WhitenedRows) -> Option<(f64, usize
             count += item.rows;
         }
     }
-    (count >= FEWEST).then(|| ((sum / count as f64).sqrt(), count))
+    (count >= fewest::OF_A_PART).then(|| ((sum / count as f64).sqrt(), count))
 }
 
 /// Deviations of every sample: along the axes of a point, and a length in mm; where a sample was
@@ -299,8 +295,8 @@ pub fn coordinate_mm(layer: &Layer, model: &Model, rank: f64) -> Option<f64> {
         rows += layer.items[i].rows;
     }
     // Every row pays for the coefficients with its share.
-    let spent = (rank / layer.used_rows().max(1) as f64).min(0.9);
-    (rows > 0).then(|| (sum / (rows as f64 * (1.0 - spent))).sqrt())
+    let kept = kept(rank, layer.used_rows());
+    (rows > 0).then(|| (sum / (rows as f64 * kept)).sqrt())
 }
 
 /// The figures of every kind that was measured; `before` is the nominal robot.

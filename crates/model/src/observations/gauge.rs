@@ -21,6 +21,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::kinematics::JointKind;
 use crate::lanes::cross;
 use crate::model::Model;
+use crate::rounding;
 
 use super::{KINDS, Layer, Observable};
 use crate::effects::places::stated;
@@ -98,9 +99,6 @@ pub struct Size {
     pub sigma: f64,
 }
 
-/// Part of the priors that keeps the direction of growth from taking what nothing else needs.
-const RIDGE: f64 = 1e-6;
-
 /// The size of a model as its coefficients make it; `sigma` says how far each may be from zero.
 /// `None` where no coefficient makes anything larger.
 pub fn size(layer: &Layer, model: &Model, sigma: &[Option<f64>]) -> Option<Size> {
@@ -134,7 +132,7 @@ pub fn size(layer: &Layer, model: &Model, sigma: &[Option<f64>]) -> Option<Size>
             }
         }
     });
-    let ridge = RIDGE * samples as f64;
+    let ridge = rounding::WRITTEN * samples as f64;
     for (k, sigma) in sigma.iter().enumerate() {
         gram[(k, k)] += sigma.map_or(ridge, |s| ridge / (s * s));
     }

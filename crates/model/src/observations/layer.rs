@@ -9,6 +9,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+use crate::effects::base_offset::AXES;
 use crate::effects::block::Block;
 use crate::effects::{FixedMask, Inputs, JointValues, Place, PlaceKind};
 use crate::lanes::{LANES, Lanes3, dot, minus, scaled};
@@ -17,7 +18,7 @@ use crate::sessions::{Session, SocketDistance};
 
 use super::block::RowBlock;
 use super::follows::Follows;
-use super::streams::{Item, POINTS, Stream, UPRIGHT, attitude, stream, turn};
+use super::streams::{Item, POINTS, Stream, attitude, stream, turn};
 use super::{KINDS, Kind, Observable, Residual, Seen, Unit};
 use crate::effects::place::MOST;
 use crate::effects::places::stated;
@@ -284,7 +285,7 @@ impl<'a> Layer<'a> {
             for lane in 0..block.len {
                 let item = self.points.items[start + lane];
                 let point = [0, 1, 2].map(|axis| block.point[axis][lane]);
-                self.put(&mut rows, &mut follows, item, &placing, (point, UPRIGHT));
+                self.put(&mut rows, &mut follows, item, &placing, (point, AXES));
             }
             follows.put_all(&mut rows, block, 1, Cow::Borrowed);
             see(&mut rows);
@@ -377,7 +378,7 @@ impl<'a> Layer<'a> {
 
     /// What a model says of every item: where its target is, and how the tool is turned.
     pub fn seen(&self, model: &Model) -> Vec<([f64; 3], [[f64; 3]; 3])> {
-        let mut seen = vec![([0.0; 3], UPRIGHT); self.items.len()];
+        let mut seen = vec![([0.0; 3], AXES); self.items.len()];
         model.visit(&self.points.inputs, false, |start, block| {
             for lane in 0..block.len {
                 let item = self.points.items[start + lane];
@@ -439,7 +440,7 @@ impl<'a> Layer<'a> {
             for lane in 0..block.len {
                 let item = self.points.items[start + lane];
                 let point = [0, 1, 2].map(|axis| block.point[axis][lane]);
-                let (_, weighed, _) = self.residual_of(item, &placing, point, UPRIGHT);
+                let (_, weighed, _) = self.residual_of(item, &placing, point, AXES);
                 all[item] = weighed.by_point.map(|row| scaled(row, self.unit_mm));
             }
         });
@@ -470,7 +471,6 @@ impl<'a> Layer<'a> {
         point: [f64; 3],
         attitude: [[f64; 3]; 3],
     ) -> (Residual, Residual, f64) {
-        const NOWHERE: [f64; MOST] = [0.0; MOST];
         let Item { kind, sample, .. } = self.items[item];
         let own = KINDS[kind];
         let at = own.place(self.session, sample);
@@ -478,7 +478,7 @@ impl<'a> Layer<'a> {
         let seen = Seen {
             point,
             attitude,
-            place: place.map_or(&NOWHERE, |own| own.0),
+            place: place.map_or(&[0.0; MOST], |own| own.0),
         };
         let raw = own.residual(self.session, sample, &seen);
         let weighed = own.weighed(self.session, sample, self.sigma[kind], &raw);
@@ -528,7 +528,7 @@ impl<'a> Layer<'a> {
                 continue;
             };
             let arm = minus([b.0[0], b.0[1], b.0[2]], [a.0[0], a.0[1], a.0[2]]);
-            let length = dot(arm, arm).sqrt().max(1e-12);
+            let length = dot(arm, arm).sqrt().max(f64::MIN_POSITIVE);
             let lane = rows.items.len();
             rows.items.push(None);
             rows.rows[0][lane] = true;
@@ -557,7 +557,7 @@ fn send(model: &Model, inputs: &Inputs, differentiate: bool, see: impl FnMut(usi
 fn rows_of(kind: &dyn Kind, session: &Session, sample: usize) -> usize {
     let seen = Seen {
         point: [1.0; 3],
-        attitude: UPRIGHT,
+        attitude: AXES,
         place: &[1.0; MOST],
     };
     kind.residual(session, sample, &seen).rows

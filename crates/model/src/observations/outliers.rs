@@ -16,8 +16,9 @@
 
 use statrs::function::gamma::ln_gamma;
 
-/// With fewer samples the bulk is not known well enough to suspect any.
-const FEWEST: usize = 8;
+use crate::distributions::CHI_MEDIANS;
+use crate::{budget, fewest, rounding};
+
 /// Outliers lie beyond so many scales (derived: where the bulk of a Gaussian ends, one of 150
 /// samples on three axes) …
 const FROM: f64 = 3.5;
@@ -32,16 +33,14 @@ const ODDS: f64 = 4.0;
 /// Below 3 a t distribution has no variance that could be a noise (Lange, Little & Taylor
 /// 1989).
 const TAILS: [f64; 6] = [3.0, 4.0, 6.0, 10.0, 25.0, 1e6];
-/// More samples than this are represented by as many quantiles.
-const MOST: usize = 2000;
 /// The bulk of a long session is known from so many samples.
-const MOST_IN_THE_BULK: usize = 20_000;
-/// Deviations below this are rounding, mm.
-const ROUNDING_MM: f64 = 1e-6;
+pub const MOST_IN_THE_BULK: usize = 20_000;
 /// The share of outliers that is assumed where none is seen.
 const LEAST_SHARE: f64 = 0.002;
+/// No fit is taken to have taken up more of the noise than this.
+const MOST_SPENT: f64 = 0.9;
 /// More than this is no contamination any more: the model lacks something, and nothing is suspected.
-const MOST_SHARE: f64 = 0.35;
+pub const MOST_SHARE: f64 = 0.35;
 
 /// Marks what stands apart in deviations along some axes, mm, one value for each sample; `counts`
 /// says which of them make the bulk. `sigma` is the sizes of the axes, up to a common factor;
@@ -52,7 +51,7 @@ pub fn suspected(axes: &[&[f64]], counts: &[bool], sigma: &[f64], balance: bool)
     let count = (0..n).filter(in_bulk).count();
     let stride = count.div_ceil(MOST_IN_THE_BULK).max(1);
     let bulk: Vec<usize> = (0..n).filter(in_bulk).step_by(stride).collect();
-    if bulk.len() < FEWEST || axes.is_empty() {
+    if bulk.len() < fewest::TO_JUDGE || axes.is_empty() {
         return vec![false; n];
     }
     let mut sigma = sigma.to_vec();
@@ -65,7 +64,7 @@ pub fn suspected(axes: &[&[f64]], counts: &[bool], sigma: &[f64], balance: bool)
         if balance {
             let inside = |i: &&usize| round == 0 || lengths(&sigma, **i) <= limit;
             let kept: Vec<usize> = bulk.iter().filter(inside).copied().collect();
-            if kept.len() < FEWEST {
+            if kept.len() < fewest::TO_JUDGE {
                 break;
             }
             sigma = axes.iter().map(|e| size(e, &kept, round == 0)).collect();
@@ -77,7 +76,7 @@ pub fn suspected(axes: &[&[f64]], counts: &[bool], sigma: &[f64], balance: bool)
         }
     }
     let apart = |i: usize| {
-        let rounding = axes.iter().all(|e| e[i].abs() < ROUNDING_MM);
+        let rounding = axes.iter().all(|e| e[i].abs() < rounding::WRITTEN);
         !rounding && lengths(&sigma, i) > limit
     };
     // A fit that has come down to few samples goes through these and leaves all others.
@@ -113,8 +112,12 @@ pub fn are_the_rule(apart: usize, all: usize) -> bool {
 /// the noise (Cook & Weisberg 1982, 2.1). Without it a sample that was left out of a short session stays out for being
 /// left out, and takes others along.
 pub fn as_if_seen(rank: usize, rows: usize, leverage: f64) -> f64 {
-    let mean = (rank as f64 / rows.max(1) as f64).min(0.9);
-    ((1.0 - mean) / (1.0 + leverage)).sqrt()
+    (kept(rank as f64, rows) / (1.0 + leverage)).sqrt()
+}
+
+/// The share of the noise that coefficients leave in the rows that they are fitted to, at least a tenth.
+pub(super) fn kept(rank: f64, rows: usize) -> f64 {
+    1.0 - (rank / rows.max(1) as f64).min(MOST_SPENT)
 }
 
 /// Size of one axis: first from the median, then from what is not suspected.
@@ -123,11 +126,11 @@ fn size(e: &[f64], kept: &[usize], robust: bool) -> f64 {
         let mut all: Vec<f64> = kept.iter().map(|i| e[*i].abs()).collect();
         let middle = all.len() / 2;
         let (_, median, _) = all.select_nth_unstable_by(middle, f64::total_cmp);
-        *median / 0.674_5
+        *median / CHI_MEDIANS[0]
     } else {
         (kept.iter().map(|i| e[*i] * e[*i]).sum::<f64>() / kept.len() as f64).sqrt()
     };
-    of.max(ROUNDING_MM)
+    of.max(rounding::WRITTEN)
 }
 
 /// Length beyond which a sample is suspected.
@@ -135,14 +138,14 @@ fn limit_of(lengths: &[f64], k: usize) -> f64 {
     let mut sorted = lengths.to_vec();
     sorted.sort_by(f64::total_cmp);
     let count = sorted.len();
-    let thinned: Vec<f64> = if count > MOST {
-        (0..MOST)
-            .map(|j| sorted[(2 * j + 1) * count / (2 * MOST)])
+    let thinned: Vec<f64> = if count > budget::SAMPLES {
+        (0..budget::SAMPLES)
+            .map(|j| sorted[(2 * j + 1) * count / (2 * budget::SAMPLES)])
             .collect()
     } else {
         sorted.clone()
     };
-    let median = sorted[count / 2].max(1e-12);
+    let median = sorted[count / 2].max(f64::EPSILON);
     let best = TAILS
         .iter()
         .map(|nu| Mixture::fitted(&thinned, k, *nu, median))
@@ -166,9 +169,8 @@ struct Mixture {
 impl Mixture {
     /// The likeliest share and scale for one tail.
     fn fitted(lengths: &[f64], k: usize, nu: f64, median: f64) -> Self {
+        let middle = CHI_MEDIANS[k.clamp(1, 3) - 1];
         let k = k as f64;
-        // The median of χ with k degrees of freedom (Wilson & Hilferty 1931).
-        let middle = (k * (1.0 - 2.0 / (9.0 * k)).powi(3)).max(0.45).sqrt();
         let mut mixture = Self {
             k,
             nu,
@@ -194,9 +196,9 @@ impl Mixture {
             let n = lengths.len() as f64;
             let before = mixture.ln_likelihood;
             mixture.share = (apart / n).clamp(LEAST_SHARE, MOST_SHARE);
-            mixture.scale = (square / (k * weight.max(1.0))).sqrt().max(1e-12);
+            mixture.scale = (square / (k * weight.max(1.0))).sqrt().max(f64::EPSILON);
             mixture.ln_likelihood = ln;
-            if (ln - before).abs() < 1e-6 * n {
+            if (ln - before).abs() < rounding::WRITTEN * n {
                 break;
             }
         }
@@ -207,8 +209,8 @@ impl Mixture {
     fn densities(&self, d: f64) -> (f64, f64) {
         let (k, nu) = (self.k, self.nu);
         let [of_k, of_nu, of_both] = self.ln_gammas;
-        let z = (d / self.scale).max(1e-12);
-        let ln = if nu > 1e5 {
+        let z = (d / self.scale).max(f64::EPSILON);
+        let ln = if nu >= TAILS[TAILS.len() - 1] {
             (k - 1.0) * z.ln() - 0.5 * z * z - (0.5 * k - 1.0) * std::f64::consts::LN_2 - of_k
         } else {
             std::f64::consts::LN_2 + (k - 1.0) * z.ln() + of_both

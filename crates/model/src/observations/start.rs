@@ -13,16 +13,12 @@ use crate::effects::{Place, PlaceKind, Term, places};
 use crate::kinematics::quaternion::log_of_matrix;
 use crate::model::Model;
 use crate::sessions::Session;
+use crate::{budget, fewest, rounding};
 
 use super::kinds::orientation::measured;
 use super::{KINDS, Layer, Observable, Residual, Seen};
 use crate::effects::place::MOST;
 use crate::effects::places::stated;
-
-/// As many observations of a place say where it is.
-const MOST_ITEMS: usize = 200;
-/// Steps of the search from one guess.
-const STEPS: usize = 40;
 
 /// What a model says of one item: where its target is, and how the tool is turned.
 type Prediction = ([f64; 3], [[f64; 3]; 3]);
@@ -44,7 +40,7 @@ fn places_in_use(layer: &Layer) -> Vec<(Place, Vec<usize>)> {
 
 /// At most so many of them, evenly.
 fn thinned(items: &[usize]) -> Vec<usize> {
-    let count = items.len().min(MOST_ITEMS);
+    let count = items.len().min(budget::OF_A_TRIAL);
     (0..count).map(|k| items[k * items.len() / count]).collect()
 }
 
@@ -113,7 +109,8 @@ fn around() -> impl Iterator<Item = Vector3<f64>> {
         .into_iter()
         .flat_map(move |x| steps.into_iter().map(move |y| (x, y)))
         .flat_map(move |(x, y)| steps.into_iter().map(move |z| Vector3::new(x, y, z)));
-    all.filter(|v| v.norm() > 0.5).map(|v| v.normalize())
+    all.filter(|v| *v != Vector3::zeros())
+        .map(|v| v.normalize())
 }
 
 /// One observation at a place, unweighed.
@@ -157,14 +154,14 @@ fn polished(
     };
     let (mut at, mut damping) = (start, 1e-4);
     let (mut gram, mut gradient, mut cost) = sums(&at);
-    for _ in 0..STEPS {
+    for _ in 0..budget::STEPS {
         let mut damped = gram.clone();
         for k in 0..free.len() {
             damped[(k, k)] += damping * gram[(k, k)] + f64::MIN_POSITIVE;
         }
         let Some(step) = damped.cholesky().map(|c| c.solve(&gradient)) else {
             damping = f64::max(10.0 * damping, 1e-8);
-            if damping > 1e6 {
+            if damping * rounding::LAST_BITS > 1.0 {
                 break;
             }
             continue;
@@ -175,7 +172,7 @@ fn polished(
         }
         let next = sums(&trial);
         if next.2.is_finite() && next.2 < cost {
-            let settled = cost - next.2 < 1e-9 * cost;
+            let settled = cost - next.2 < rounding::COMPUTED * cost;
             at = trial;
             (gram, gradient, cost) = next;
             damping /= 10.0;
@@ -184,7 +181,7 @@ fn polished(
             }
         } else {
             damping *= 10.0;
-            if damping > 1e8 {
+            if damping * rounding::LAST_BITS > 1.0 {
                 break;
             }
         }
@@ -253,7 +250,7 @@ fn line(layer: &Layer, item: usize, seen: &[Prediction], from: Vector3<f64>) -> 
         return Matrix3::from_fn(|r, c| attitude[r][c]) * pointing.axis.into_inner();
     }
     let arm = Vector3::from(point) - from;
-    arm / arm.norm().max(1e-9)
+    arm / arm.norm().max(rounding::COMPUTED)
 }
 
 /// The rotation that brings one set of directions closest to another.
@@ -297,7 +294,7 @@ fn station_guesses(
         .iter()
         .map(|i| (Vector3::from(seen[*i].0) - centre).norm_squared())
         .sum();
-    let far = (of_points / of_sights.max(1e-12)).sqrt();
+    let far = (of_points / of_sights.max(f64::MIN_POSITIVE)).sqrt();
     let mut guesses = Vec::new();
     for way in around() {
         for factor in [0.6, 1.2] {
@@ -367,7 +364,7 @@ pub fn frame(
     if spread_in_two(&points) {
         return crate::kinematics::rigid_motion::rigid_motion(&points);
     }
-    if turns.len() < 3 {
+    if turns.len() < fewest::OF_A_BODY {
         return None;
     }
     let rotation = turned_onto(&turns)?;
@@ -383,7 +380,7 @@ pub fn frame(
 
 /// Whether pairs of points are at least three that lie on no line.
 fn spread_in_two(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> bool {
-    if pairs.len() < 3 {
+    if pairs.len() < fewest::OF_A_BODY {
         return false;
     }
     let centre = pairs.iter().map(|p| p.0).sum::<Vector3<f64>>() / pairs.len() as f64;
@@ -412,7 +409,7 @@ fn known_places(
     for (place, mut items) in places_in_use(layer) {
         items.retain(|i| inside(layer.items[*i].sample));
         let known = stated(references, place);
-        let few = items.len() < 4;
+        let few = items.len() < fewest::OF_A_PART;
         if few && place.kind != PlaceKind::Socket || items.is_empty() {
             continue;
         }

@@ -8,6 +8,7 @@
 
 use nalgebra::Point3;
 
+use crate::effects::base_offset::AXES;
 use crate::effects::block::Block;
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::{Lanes3, cross, dot, minus, scaled};
@@ -36,7 +37,7 @@ pub(super) struct Stream {
 }
 
 /// Distance of the points that show the tool's orientation from its origin, mm.
-const ARM_MM: f64 = 100.0;
+pub const ARM_MM: f64 = 100.0;
 /// Lanes of one orientation.
 pub(super) const POINTS: usize = 4;
 
@@ -76,7 +77,7 @@ pub fn predictions(
     let mut seen = Vec::with_capacity(session.samples.len());
     model.visit(&of(Observable::AtPoint).inputs, false, |_, block| {
         for lane in 0..block.len {
-            seen.push(([0, 1, 2].map(|axis| block.point[axis][lane]), UPRIGHT));
+            seen.push(([0, 1, 2].map(|axis| block.point[axis][lane]), AXES));
         }
     });
     model.visit(&of(Observable::AtAttitude).inputs, false, |start, block| {
@@ -86,9 +87,6 @@ pub fn predictions(
     });
     seen
 }
-
-/// A tool that is turned as the measuring frame is.
-pub(super) const UPRIGHT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// The inputs of the items that look at one thing.
 pub(super) fn stream(

@@ -12,6 +12,7 @@ use super::SimulateError;
 use super::random::{Stream, random};
 use super::scenario::{Measure, Scenario};
 use crate::diagnostic::{Diagnostic, Place as FilePlace, Rejected};
+use crate::effects::base_offset::AXES;
 use crate::effects::place::MOST;
 use crate::effects::places::stated;
 use crate::effects::{Inputs, JointValues, Place, PlaceKind};
@@ -20,10 +21,8 @@ use crate::model::Model;
 use crate::observations::constrained::{Missing, bring};
 use crate::observations::streams::predictions;
 use crate::observations::{KINDS, Kind, Seen};
+use crate::rounding;
 use crate::sessions::{References, Session};
-
-/// The three directions in which a target in a socket is held.
-const UPRIGHT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// The kinds that one way to measure has.
 fn kinds_of(measure: Measure) -> &'static [&'static str] {
@@ -147,7 +146,7 @@ pub(crate) fn measure(
             let Some(noise) = noise_of(*own, scenario, &seen, unit) else {
                 continue;
             };
-            let wild = wild.map_or(0.0, |o| o.mm / own.lever_mm(&seen).max(1e-9));
+            let wild = wild.map_or(0.0, |o| o.mm / own.lever_mm(&seen).max(rounding::COMPUTED));
             let noise = noise.map(|n| n + wild);
             own.show(session, sample, place.map(|p| p.index), &seen, noise);
         }
@@ -166,7 +165,7 @@ fn noise_of(kind: &dyn Kind, scenario: &Scenario, seen: &Seen, unit: [f64; 3]) -
     let tracker = instrument.tracker?;
     let beam = Vector3::from(seen.point) - tracker.position_mm.coords;
     let far = beam.norm();
-    let along = beam / far.max(1e-9);
+    let along = beam / far.max(rounding::COMPUTED);
     let unit = Vector3::from(unit);
     let part = unit.dot(&along);
     let across = unit - along * part;
@@ -192,7 +191,7 @@ fn brought(
         }
         let socket = references.sockets[index].position_mm?;
         let left = (0..3).map(|k| socket[k] + off[k] - at[k]).collect();
-        Some((left, UPRIGHT.to_vec()))
+        Some((left, AXES.to_vec()))
     };
     if missing([0.0; 3]).is_none() {
         return Ok(());

@@ -42,15 +42,13 @@ pub use truth::Truth;
 pub use crate::progress::unwatched;
 pub use error::SimulateError;
 
+use crate::budget;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::LANES;
 use crate::model::{Model, Positions};
 use crate::sessions::{Samples, Session};
 use random::{Stream, random};
-
-/// Blocks between two looks at the watcher.
-const BLOCKS_AT_ONCE: usize = 256;
 
 /// Plays a scenario with this seed. `watch` hears now and then which part is done (0 to 1), and
 /// may break it off.
@@ -128,7 +126,7 @@ fn predict(
     let n = inputs.len();
     let mut exact = Positions::default();
     let starts: Vec<usize> = (0..n).step_by(LANES).collect();
-    for some in starts.chunks(BLOCKS_AT_ONCE) {
+    for some in starts.chunks(budget::AT_ONCE) {
         model.visit_blocks(&inputs, false, some.iter().copied(), |_, block| {
             let [x, y, z] = &block.point;
             exact.x_mm.extend_from_slice(&x[..block.len]);

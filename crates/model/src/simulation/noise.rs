@@ -19,6 +19,7 @@ use rand_distr::{Distribution, StandardNormal, StudentT, UnitCircle, UnitSphere}
 use super::random::{Stream, random};
 use super::scenario::{Noise, NoiseKind, Scenario};
 use crate::model::Positions;
+use crate::rounding;
 
 /// Correlation of neighbours in [`NoiseKind::Ar1`].
 pub(crate) const CORRELATION: f64 = 0.7;
@@ -77,7 +78,7 @@ pub(crate) fn resolved(resolution_mm: Option<f64>, mut points: Positions) -> Pos
     if let Some(resolution) = resolution_mm {
         // Division by a whole number of steps per mm keeps the decimals short: 0.1 stays 0.1.
         let per_mm = (1.0 / resolution).round();
-        let whole = (per_mm * resolution - 1.0).abs() < 1e-9 && per_mm >= 1.0;
+        let whole = (per_mm * resolution - 1.0).abs() < rounding::COMPUTED && per_mm >= 1.0;
         let round = |v: &mut f64| {
             *v = if whole {
                 (*v * per_mm).round() / per_mm

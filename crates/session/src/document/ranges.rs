@@ -6,7 +6,7 @@
 
 use super::{Fields, Node, Path, Value};
 use crate::text::Text;
-use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG, LARGEST_TIME_S};
+use crate::units::{LARGEST_LENGTH_MM, LARGEST_NUMBER, LARGEST_TIME_S};
 
 /// A smaller noise is no noise of an instrument, and the weight that it gives is too large to square.
 pub const SMALLEST_SIGMA: f64 = 1e-15;
@@ -15,13 +15,13 @@ pub const SMALLEST_SIGMA: f64 = 1e-15;
 const RANGES: &[(&str, f64)] = &[
     ("_m_s2", 1e6),
     ("_mm", LARGEST_LENGTH_MM),
-    ("_deg", LARGEST_JOINT_VALUE),
-    ("_rad", LARGEST_JOINT_VALUE),
+    ("_deg", LARGEST_NUMBER),
+    ("_rad", LARGEST_NUMBER),
     ("_mrad", 1e9),
     ("_urad", 1e12),
     ("_deg_s", LARGEST_LENGTH_MM),
     ("_mm_s", LARGEST_LENGTH_MM),
-    ("_kg", LARGEST_MASS_KG),
+    ("_kg", LARGEST_NUMBER),
     ("_c", 1e6),
     ("_s", LARGEST_TIME_S),
     ("_ppm", 1e12),
@@ -30,7 +30,7 @@ const RANGES: &[(&str, f64)] = &[
 /// Keys without a unit in their name: places of targets, and limits of joints.
 const NAMED: &[(&str, f64)] = &[
     ("targets", LARGEST_LENGTH_MM),
-    ("limits", LARGEST_JOINT_VALUE),
+    ("limits", LARGEST_NUMBER),
     ("mm", LARGEST_LENGTH_MM),
 ];
 

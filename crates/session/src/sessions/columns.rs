@@ -7,9 +7,7 @@
 use crate::kinematics::{Joint, JointKind};
 use crate::tables::CellKind;
 use crate::text::Text;
-use crate::units::{
-    LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, LARGEST_MASS_KG, LARGEST_TIME_S, rad_from_deg,
-};
+use crate::units::{LARGEST_LENGTH_MM, LARGEST_NUMBER, LARGEST_TIME_S, rad_from_deg};
 
 /// What a column holds. Joints count from 0 here and from 1 in headings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -178,14 +176,12 @@ impl Quantity {
     pub(crate) fn range(self, unit: Unit) -> ValueRange {
         let angle = matches!(unit, Unit::Angle(_));
         let (largest, said) = match self {
-            Self::Commanded(_) | Self::ReadBack(_) if !angle => {
-                (LARGEST_JOINT_VALUE, "1 000 000 mm")
-            }
+            Self::Commanded(_) | Self::ReadBack(_) if !angle => (LARGEST_NUMBER, "1 000 000 mm"),
             Self::Commanded(_) | Self::ReadBack(_) | Self::Azimuth | Self::Elevation => {
-                (rad_from_deg(LARGEST_JOINT_VALUE), "1 000 000°")
+                (rad_from_deg(LARGEST_NUMBER), "1 000 000°")
             }
             Self::X | Self::Y | Self::Z | Self::Distance => (LARGEST_LENGTH_MM, "10 000 000 mm"),
-            Self::Load => (LARGEST_MASS_KG, "1 000 000 kg"),
+            Self::Load => (LARGEST_NUMBER, "1 000 000 kg"),
             Self::Temperature | Self::JointTemperature(_) => (1e6, "1 000 000 °C"),
             Self::Time => (LARGEST_TIME_S, "1e20 s"),
             Self::Orientation(_) => (1e6, "1 000 000"),

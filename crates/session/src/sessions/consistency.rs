@@ -16,7 +16,7 @@ use crate::sessions::domain::{Region, Session, Sigma, Tracker, default_targets};
 use crate::sessions::references::{Anchor, Plane, Station};
 use crate::sessions::validation;
 use crate::text::Text;
-use crate::units::{LARGEST_JOINT_VALUE, LARGEST_LENGTH_MM, rad_from_deg};
+use crate::units::{LARGEST_LENGTH_MM, LARGEST_NUMBER, rad_from_deg};
 
 impl Session {
     /// The session itself where it is whole, as one that was read is; else completed.
@@ -250,7 +250,7 @@ fn out_of_range(session: &Session) -> Vec<Diagnostic> {
             ));
         }
     };
-    let largest = rad_from_deg(LARGEST_JOINT_VALUE);
+    let largest = rad_from_deg(LARGEST_NUMBER);
     let is_region = |region: &Region| {
         let (from, to) = (region.from_rad, region.to_rad);
         from < to && from.abs() <= largest && to.abs() <= largest

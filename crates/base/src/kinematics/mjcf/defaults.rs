@@ -6,23 +6,20 @@
 use std::collections::BTreeMap;
 
 use crate::diagnostic::Rejected;
+use crate::kinematics::xml::MOST_FILES;
 
 use super::super::xml::Document;
 
-/// An attribute is looked for in so many elements at most: what a class says, and what the classes
-/// around it say.
-const MOST_LEVELS: usize = 64;
-
 /// Refuses what would make every element cost as much as all classes together.
 fn within_budget(document: &Document, element: usize, levels: usize) -> Result<(), Rejected> {
-    if levels <= MOST_LEVELS {
+    if levels <= MOST_FILES {
         return Ok(());
     }
     let found = text!(
         "more than {most} levels of default classes",
-        most = MOST_LEVELS
+        most = MOST_FILES
     );
-    let expected = text!("at most {most}", most = MOST_LEVELS);
+    let expected = text!("at most {most}", most = MOST_FILES);
     Err(document.refuse(element, found, expected))
 }
 

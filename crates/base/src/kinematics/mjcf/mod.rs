@@ -29,10 +29,9 @@ use super::robot::Robot;
 use super::tree::{Body, BodyJoint, BodyName, Mass, Motion, Tree, limits};
 use super::xml::{Document, Include, ROOT};
 use crate::diagnostic::{Place, Rejected};
+use crate::units::MM_PER_M;
 use defaults::Defaults;
 use orientation::Angles;
-
-const MM_PER_M: f64 = 1e3;
 
 /// The chain from `base` to `tip` (bodies or sites) of the MJCF document `text`, which came from
 /// `file` and includes no other.

@@ -8,11 +8,9 @@
 use nalgebra::{Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
 
 use crate::diagnostic::Rejected;
+use crate::rounding;
 
 use super::super::xml::Document;
-
-/// Shorter than this is no direction.
-const SHORTEST: f64 = 1e-12;
 
 /// What `compiler` says of angles.
 #[derive(Debug)]
@@ -102,12 +100,12 @@ impl Angles {
     ) -> Result<UnitQuaternion<f64>, Rejected> {
         let no_direction =
             || document.refuse_value(element, name, text!("directions of non-zero length"));
-        let unit = |v: Vector3<f64>| Unit::try_new(v, SHORTEST).ok_or_else(no_direction);
+        let unit = |v: Vector3<f64>| Unit::try_new(v, rounding::COMPUTED).ok_or_else(no_direction);
         match name {
             "quat" => {
                 let [w, x, y, z] = document.numbers(element, name)?.unwrap_or_default();
                 let quaternion = Quaternion::new(w, x, y, z);
-                UnitQuaternion::try_new(quaternion, SHORTEST).ok_or_else(|| {
+                UnitQuaternion::try_new(quaternion, rounding::COMPUTED).ok_or_else(|| {
                     document.refuse_value(element, name, text!("a quaternion of non-zero length"))
                 })
             }

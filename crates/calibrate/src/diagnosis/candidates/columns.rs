@@ -10,19 +10,12 @@
 //!
 //! Columns of another form are kept row by row.
 
-use crate::fit::noise::Filter;
-use crate::lanes::LANES;
-use crate::side_by_side::Threads;
 use nalgebra::{DMatrix, DVector};
 
-/// How well a column is given by a number for each sample, beside its largest value: rounding.
-const ROUNDING: f64 = 1e-12;
-
-/// A product of matrices with fewer rows is slower than products of vectors.
-const FEW: usize = 8;
-
-/// A product of matrices on several threads is cut at multiples of so many columns.
-const TOGETHER: usize = 64;
+use crate::fit::noise::Filter;
+use crate::lanes::{LANES, TOGETHER};
+use crate::rounding;
+use crate::side_by_side::Threads;
 
 /// Columns with one direction, or row by row.
 #[derive(Debug, Clone)]
@@ -161,7 +154,7 @@ impl ColumnBuilder {
         let height = columns.nrows().max(1);
         let each = columns.as_slice().chunks_exact(height);
         let largest = |column: &[f64]| column.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-        let each: Vec<(&[f64], f64)> = each.map(|c| (c, ROUNDING * largest(c))).collect();
+        let each: Vec<(&[f64], f64)> = each.map(|c| (c, rounding::COMPUTED * largest(c))).collect();
         let found = self.groups.iter().enumerate().find_map(|(at, group)| {
             let mut values = Vec::new();
             let mut all = each.iter();
@@ -287,8 +280,8 @@ impl Columns {
         for (group, g) in self.groups.iter().zip(&of_samples) {
             let (from, count) = group.part(among);
             let mut own = all.columns_mut(group.first + from, count);
-            if z.ncols() > FEW {
-                let stretches = threads.stretches(count, TOGETHER);
+            if z.ncols() > TOGETHER {
+                let stretches = threads.stretches(count, LANES);
                 let of = |k: usize| {
                     let stretch = &stretches[k];
                     g * group.values.columns(from + stretch.start, stretch.len())

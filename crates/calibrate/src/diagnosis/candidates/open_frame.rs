@@ -11,11 +11,12 @@ use nalgebra::{Matrix3, Vector3};
 use crate::decompose::eigen;
 use crate::effects::Role;
 use crate::fit::base_model;
-use crate::fit::gap::{GROSS_SHARE, lengths_mm};
+use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::model::Model;
 use crate::numeric::median;
 use crate::sessions::Group;
+use crate::thresholds::GROSS_SHARE;
 
 /// Whether the points of every setup lie as near to a line as the nominal robot is to them in the median: its error turns
 /// them by a radian about the line, or more. What is gross is of the set-up, a home that is off, and no geometry.

@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::Survey;
 use crate::kinematics::JointKind;
 use crate::model::Model;
+use crate::rounding;
 
 use super::placed::Placed;
 use crate::fit::problem::Problem;
@@ -291,7 +292,7 @@ fn across_the_motion(rows: &Rows, base: &Model, survey: &Survey) -> Vec<(Directi
                 let height: f64 = (0..3).map(|k| arm[k] * along[k]).sum();
                 let across: [f64; 3] = std::array::from_fn(|k| arm[k] - height * along[k]);
                 let radius = across.iter().map(|v| v * v).sum::<f64>().sqrt();
-                across.map(|v| v / radius.max(1e-9))
+                across.map(|v| v / radius.max(rounding::COMPUTED))
             };
             let outward: Vec<[f64; 3]> = points.iter().map(outward).collect();
             vec![
@@ -303,6 +304,6 @@ fn across_the_motion(rows: &Rows, base: &Model, survey: &Survey) -> Vec<(Directi
             ]
         }
     };
-    all.retain(|(_, direction)| direction.norm() > 1e-9);
+    all.retain(|(_, direction)| direction.norm() > rounding::COMPUTED);
     all
 }

@@ -2,14 +2,13 @@
 //! slopes over every condition.
 
 use crate::effects::Survey;
+use crate::fewest;
 
 use super::shape_space::ShapeSpace;
 use crate::fit::regression::Rows;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 const HIGHEST_ORDER: u32 = 360;
-/// A shape must act on at least so many samples.
-const FEWEST: usize = 4;
 
 /// Names that are not candidates and whose shapes nothing else would look for.
 #[derive(Debug, Clone, Copy)]
@@ -25,11 +24,11 @@ pub(crate) fn shapes(
     missing: Missing,
 ) -> Vec<Shape> {
     let mut all = Vec::new();
-    if rows.samples.len() < 2 * FEWEST {
+    if rows.samples.len() < 2 * fewest::OF_A_PART {
         return all;
     }
     for joint in 0..survey.joints.len() {
-        if survey.joints[joint].values >= 6 {
+        if survey.joints[joint].values >= fewest::TO_JUDGE {
             over_angle(space, joint, missing.gear, &mut all);
         }
     }
@@ -229,7 +228,7 @@ fn bumps(
         let near = values
             .iter()
             .filter(|v| (**v - centre).abs() <= 1.5 * width);
-        near.count() >= FEWEST
+        near.count() >= fewest::OF_A_PART
     };
     all.extend(
         (0..count)
@@ -304,13 +303,13 @@ fn plateaus(
     }));
 }
 
-/// Up to `count` values midway between neighbours, with at least [`FEWEST`] samples between them.
+/// Up to `count` values midway between neighbours, with at least [`fewest::OF_A_PART`] samples between them.
 pub(crate) fn edges(values: &[f64], count: usize) -> Vec<f64> {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
     let n = sorted.len();
-    let stride = (n / (count + 1)).max(FEWEST);
-    let mut edges: Vec<f64> = (stride..=n.saturating_sub(FEWEST))
+    let stride = (n / (count + 1)).max(fewest::OF_A_PART);
+    let mut edges: Vec<f64> = (stride..=n.saturating_sub(fewest::OF_A_PART))
         .step_by(stride)
         .filter_map(|i| {
             // The next place where the value changes.

@@ -10,6 +10,7 @@ use crate::effects::{
 use crate::fit::problem::Problem;
 use crate::fit::scan;
 use crate::kinematics::JointKind;
+use crate::lanes::LANES;
 use crate::model::Model;
 
 use super::columns::{ColumnBuilder, Columns};
@@ -151,7 +152,7 @@ impl CandidateTable {
         let mut gathering = ColumnBuilder::new(rows.len(), rows.samples.len(), &directions);
         let mut slots = Vec::new();
         let (named, anonymous) = candidates.split_at(names.len());
-        for some in named.chunks(AT_ONCE) {
+        for some in named.chunks(LANES) {
             let columns = columns_of(rows, base, some);
             slots.extend(columns.iter().map(|own| gathering.push(own)));
         }
@@ -219,9 +220,6 @@ impl CandidateTable {
         all
     }
 }
-
-/// Terms that are put into one model: each costs every column of it a turn.
-const AT_ONCE: usize = 48;
 
 /// The columns of some names beside the base, of each its own.
 fn columns_of(rows: &Rows, base: &Model, names: &[Candidate]) -> Vec<DMatrix<f64>> {

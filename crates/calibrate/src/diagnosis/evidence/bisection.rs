@@ -1,9 +1,10 @@
 //! Where something that falls or rises once crosses over.
 
+use crate::budget;
+
 /// The end of a range beyond which `is_below` no longer holds, by halving until nothing is left of doubles.
 pub(crate) fn bisected([mut low, mut high]: [f64; 2], is_below: impl Fn(f64) -> bool) -> f64 {
-    const HALVINGS: usize = 80;
-    for _ in 0..HALVINGS {
+    for _ in 0..budget::STEPS {
         let middle = 0.5 * (low + high);
         if is_below(middle) {
             low = middle;

@@ -15,20 +15,16 @@ use super::memo::Key;
 use super::regression::Regression;
 use super::score::weight_of;
 use super::trials::Trials;
+use crate::budget;
 use crate::diagnosis::candidates::columns::CandidateSubset;
 
 /// The smallest chance that is stated: further out the law is an extrapolation that nothing has checked.
-const SMALLEST: f64 = 1.0 / 2000.0;
+pub(crate) const SMALLEST: f64 = 1.0 / 2000.0;
 /// Rows beyond which all residuals are taken to be equally large: of so many each candidate is a sum that is Gaussian
 /// whatever they are, and what is still to be found makes some larger than others. (Measured: of 60 sessions of 330 and
 /// 440 samples with t noise of 4 degrees of freedom 2 are said to be more than noise, either way; a UR10 of 1495 poses
 /// has 12 names and 0.161 mm on unseen ones, with its own residuals 8 and 0.185.)
 const ROWS_TO_FLIP: usize = 900;
-/// Residuals that are simulated …
-const FEW: usize = 250;
-/// … and where these leave it open: the fiftieth that is largest, from which on the law is extrapolated, is known to
-/// 1/√20 by a thousand, a chance to a fifth.
-const MANY: usize = 1000;
 /// Chances that few simulations leave open: within a factor of five below and twenty above what a step is taken by
 /// (0.002). The largest five of 250 are known to a factor of 1.5, and the law may say a third.
 const CLOSE: std::ops::Range<f64> = 4e-4..0.04;
@@ -49,13 +45,19 @@ impl Regression<'_> {
     /// The same as a number: a few simulations say it, and more of them where they leave it open.
     pub(crate) fn chance_in_noise(&self, minus_ln_p: f64, fit: &Fit) -> f64 {
         let by = |count| self.in_noise(fit, count).chance(minus_ln_p);
-        let few = by(FEW);
-        if CLOSE.contains(&few) { by(MANY) } else { few }
+        // Of the larger number the fiftieth that is largest, from which on the law is extrapolated, is known to 1/√20, a
+        // chance to a fifth.
+        let few = by(budget::DRAWS);
+        if CLOSE.contains(&few) {
+            by(4 * budget::DRAWS)
+        } else {
+            few
+        }
     }
 
     /// The −ln p that noise alone reaches with this chance.
     pub(crate) fn minus_ln_p_for(&self, chance: f64, fit: &Fit) -> f64 {
-        self.in_noise(fit, FEW).quantile(chance)
+        self.in_noise(fit, budget::DRAWS).quantile(chance)
     }
 
     fn in_noise(&self, fit: &Fit, count: usize) -> LargestInNoise {
@@ -72,7 +74,7 @@ impl Regression<'_> {
         let least = weights.fold(f64::INFINITY, f64::min);
         let in_noise = || {
             let key = Key::default().with(fit.basis.rank());
-            let simulate = || self.simulated(fit, FEW);
+            let simulate = || self.simulated(fit, budget::DRAWS);
             self.largest_in_noise.of_key(key, simulate)
         };
         (-minus_ln_p - least).exp() > chance || in_noise().chance(minus_ln_p) > chance

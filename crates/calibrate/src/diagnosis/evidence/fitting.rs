@@ -11,19 +11,17 @@ use nalgebra::{DMatrix, DVector};
 use super::fit::Fit;
 use super::memo::Key;
 use super::regression::Regression;
+use crate::budget;
 use crate::diagnosis::candidates::Placed;
 use crate::linear::Basis;
 use crate::model::Model;
 
 /// Products for each number of a fit's columns beside those of making them orthonormal.
-const OF_A_FIT: f64 = 150.0;
+pub(super) const OF_A_FIT: f64 = 150.0;
 
 /// Steps of a fit that may take the base's own columns; one that has not converged by then takes those of
 /// where it is.
 const WITH_THE_BASES_OWN: usize = 4;
-
-/// Steps of a fit at most.
-const STEPS: usize = 8;
 
 /// A step whose square is at most this share of what is left leaves the columns what they are.
 const SMALL: f64 = 1e-5;
@@ -45,7 +43,7 @@ impl Regression<'_> {
         let mut rss = 0.0_f64;
         // The square of the last step beside what it left.
         let mut last = f64::INFINITY;
-        for round in 0..STEPS {
+        for round in 0..budget::ROUNDS {
             self.work.did(of_a_step);
             let here = place.take().filter(|_| last <= SMALL);
             let (residual, here) = if let Some(here) = here {

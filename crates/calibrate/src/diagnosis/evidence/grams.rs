@@ -6,10 +6,9 @@ use nalgebra::DMatrix;
 use crate::diagnosis::candidates::columns::{CandidateSubset, Columns};
 use crate::diagnosis::candidates::table::Candidate;
 use crate::fit::noise::Filter;
+use crate::lanes::LANES;
 use crate::linear::{Basis, gram, inverse_of_lower, reject_all, small_cholesky};
-
-/// How much of a column has to be left beside the model for a candidate to count, squared.
-const SEEN: f64 = 1e-6;
+use crate::rounding;
 
 /// Gram matrices of every candidate's own columns, one after the other.
 #[derive(Debug, Clone)]
@@ -21,7 +20,7 @@ pub(crate) struct Grams {
 
 /// What has to be left of a column with this square for a candidate to count.
 fn least_seen(square: f64) -> f64 {
-    (SEEN * square).max(1e-300)
+    (rounding::WRITTEN * square).max(1e-300)
 }
 
 impl CandidateSubset {
@@ -35,9 +34,6 @@ impl CandidateSubset {
     }
 }
 
-/// Columns that are whitened at once.
-const AT_ONCE: usize = 64;
-
 impl Grams {
     pub(crate) fn new(columns: &Columns, filter: &Filter, candidates: &[Candidate]) -> Self {
         let mut values = Vec::new();
@@ -47,7 +43,7 @@ impl Grams {
         let mut order = order.as_slice();
         while let Some(from) = order.first().map(|c| c.first) {
             let some = order
-                .partition_point(|c| c.first + c.size <= from + AT_ONCE)
+                .partition_point(|c| c.first + c.size <= from + LANES)
                 .max(1);
             let (now, rest) = order.split_at(some);
             order = rest;

@@ -11,10 +11,12 @@ use crate::effects::Term;
 use crate::fit::regression::Rows;
 use crate::model::Model;
 use crate::text::Text;
+use crate::thresholds::EQUAL;
+use crate::{budget, fewest};
 
 use super::fit::Fit;
 use super::regression::Regression;
-use super::rescanned::{FEW, Rescanned, has_near_rivals, is_scanned};
+use super::rescanned::{Rescanned, has_near_rivals, is_scanned};
 use super::surroundings::Without;
 use crate::sessions::cells::{cells, folds_of_groups};
 use crate::sessions::poses::ByPose;
@@ -41,10 +43,7 @@ pub(crate) struct HeldOutResiduals {
     pub(crate) rows: DVector<f64>,
 }
 
-/// What a fit without a term leaves of unseen samples is clearly more if it is so many times as much, squared.
-const SURELY: f64 = 1.04;
-const FOLDS: usize = 5;
-const _: () = assert!(FOLDS == 5, "the answer speaks of fifths");
+const _: () = assert!(budget::FOLDS == 5, "the answer speaks of fifths");
 /// Below this number of poses nothing is said about unseen ones.
 pub(crate) const FEWEST: usize = 6;
 
@@ -76,18 +75,18 @@ impl Folds {
             let value = |k: usize| column.get(poses.first[k]).copied().unwrap_or(0.0);
             value(*a).total_cmp(&value(*b)).then(a.cmp(b))
         });
-        let (count, sectors) = if n < FEW {
+        let (count, sectors) = if n < fewest::TO_SCAN {
             let sectors = (n / 3).clamp(2, 10);
             (sectors, sectors)
         } else {
-            (FOLDS, 4 * FOLDS)
+            (budget::FOLDS, 4 * budget::FOLDS)
         };
         let mut fold = vec![0; n];
         for (rank, pose) in order.iter().enumerate() {
             fold[*pose] = (rank * sectors / n.max(1)) % count;
         }
         let joint = widest.map_or(1, |j| j + 1);
-        let how = if n < FEW {
+        let how = if n < fewest::TO_SCAN {
             text!(
                 "each of {sectors} parts of the range of joint {joint} predicted by a fit that has not seen it",
                 sectors,
@@ -133,17 +132,21 @@ impl Folds {
         if let Some(rows) = rows.observed() {
             let references = rows.layer().references();
             let references: Vec<usize> = poses.first.iter().map(|k| references[*k]).collect();
-            let fold = folds_of_groups(&points, &references, FOLDS);
+            let fold = folds_of_groups(&points, &references, budget::FOLDS);
             let how = text!(
                 "each fifth of the measurements, of every reference its own, predicted by a fit that has not seen it"
             );
-            return Self::of_poses(poses, &fold, FOLDS, how);
+            return Self::of_poses(poses, &fold, budget::FOLDS, how);
         }
-        let few = n < FEW;
-        let wanted = if few { (n / 3).clamp(2, 10) } else { 4 * FOLDS };
+        let few = n < fewest::TO_SCAN;
+        let wanted = if few {
+            (n / 3).clamp(2, 10)
+        } else {
+            4 * budget::FOLDS
+        };
         let cell = cells(&points, wanted);
         let made = cell.iter().max().map_or(1, |c| c + 1);
-        let count = if few { made } else { FOLDS };
+        let count = if few { made } else { budget::FOLDS };
         let fold: Vec<usize> = cell.into_iter().map(|c| c % count).collect();
         let how = if few {
             text!(
@@ -207,7 +210,7 @@ impl Folds {
     ) -> Vec<bool> {
         let none = vec![false; rests.len()];
         let (n, rows) = (self.fold.len(), regression.rows.len());
-        if n < FEW {
+        if n < fewest::TO_SCAN {
             return none;
         }
         let first = |term: &Term| -> usize {
@@ -237,7 +240,8 @@ impl Folds {
         let each = without.into_iter().zip(terms.iter().zip(rests));
         each.map(|(sum, (term, rest))| {
             let rest = rest.as_ref();
-            sum > SURELY * with_all && rest.is_some_and(|rest| settled(term, rest))
+            // Clearly more than with it, as squares.
+            sum > EQUAL * EQUAL * with_all && rest.is_some_and(|rest| settled(term, rest))
         })
         .collect()
     }

@@ -12,12 +12,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::linear::{Basis, cross, gram, small_cholesky, small_gain};
-
-/// A setting has to be better than the fit's by this share of its gain.
-const BETTER: f64 = 1e-9;
-/// A column of which the rows that stay see less than this share (of the square) of what all rows see beside the
-/// others is not told by them.
-const LEAST_SEEN: f64 = 1e-10;
+use crate::rounding;
 
 /// A term with the other settings that may take the place of its own.
 pub(super) struct Scanned {
@@ -175,7 +170,10 @@ impl Fitted {
             all: Sums::of(&columns, &residual, &settings),
             kept: basis.kept.clone(),
             width: white.ncols(),
-            least: basis.left().map(|left| LEAST_SEEN * left * left).collect(),
+            least: basis
+                .left()
+                .map(|left| rounding::COMPUTED * left * left)
+                .collect(),
             columns,
             residual,
             terms,
@@ -252,7 +250,11 @@ impl Fitted {
             along.as_slice(),
         ));
         let gain = |gram: DMatrix<f64>, with: &DMatrix<f64>, pull: DVector<f64>| {
-            let least: Vec<f64> = gram.diagonal().iter().map(|g| LEAST_SEEN * g).collect();
+            let least: Vec<f64> = gram
+                .diagonal()
+                .iter()
+                .map(|g| rounding::COMPUTED * g)
+                .collect();
             let free = gram - with.tr_mul(with);
             let mut pull = pull - with.tr_mul(&explained).column(0);
             let mut lower = free.as_slice().to_vec();
@@ -263,7 +265,7 @@ impl Fitted {
         let own_gain = gain(of_own.select_rows(&own), &with, along.select_rows(&own));
         let with = factor.forward(&stay.with[at]);
         let pulls = &stay.pulls[at] + stay.with[at].select_rows(&own).tr_mul(&term.coefficients);
-        let mut best = (own_gain * (1.0 + BETTER), None);
+        let mut best = (own_gain * (1.0 + rounding::COMPUTED), None);
         for setting in 0..term.candidates.len() {
             let (first, size) = term.columns(setting);
             let whole = stay.own[at].columns(first, size).into_owned();

@@ -12,6 +12,7 @@ use crate::kinematics::{JointKind, Robot};
 use crate::linear::Basis;
 use crate::model::Model;
 use crate::model::shapes::Shape;
+use crate::{odds, rounding};
 
 use super::fit::Fit;
 use super::regression::Regression;
@@ -29,14 +30,9 @@ const PRICE_OF_A_SHAPE: f64 = 3.5 + EFFECT_PRIOR_PENALTY;
 /// (some twenty).
 const PRICE_OF_A_SETTING: f64 = 1.5;
 
-/// An instrument comes with a certificate: before anything is measured it is taken to be a hundred times rarer the cause
-/// than the machine is (ln 100). Else an axis whose scale is off would leave without a table where noise prefers the
-/// instrument's scale, which is no error of the machine.
-const PRICE_OF_AN_INSTRUMENT: f64 = 4.6;
-
 pub(super) fn price_of_owner(term: &Term) -> f64 {
     match term.effect.about().owner {
-        Owner::Instrument => PRICE_OF_AN_INSTRUMENT,
+        Owner::Instrument => odds::LIKELY.nats(),
         Owner::Robot | Owner::Session => 0.0,
     }
 }
@@ -44,14 +40,6 @@ pub(super) fn price_of_owner(term: &Term) -> f64 {
 pub(super) fn price_of(shape: &Shape) -> f64 {
     PRICE_OF_A_SHAPE + PRICE_OF_A_SETTING * shape.refined() as f64
 }
-
-/// The square of a value over its standard deviation from which on it is clear of zero: p = 0.001.
-/// Of χ² with one degree of freedom; the size that an effect of several numbers is named for
-/// has to be clear of zero.
-const CLEAR: f64 = 10.8;
-
-/// Rounding of the measured coordinates, mm: files carry a tenth of a micrometre or better.
-const ROUNDING_MM: f64 = 1e-6;
 
 /// The largest plausible size of a term, in the unit of its coefficients.
 fn plausible(term: &Term) -> f64 {
@@ -138,7 +126,7 @@ impl Regression<'_> {
                 // What the effect is named for has to be there: the others alone are something else.
                 let all = covariance.get_or_insert_with(|| basis.inverse_gram());
                 let variance = all[(own.start, own.start)] * self.rounded(rss) / self.m();
-                let clear = term.coefficients[0].powi(2) > CLEAR * variance;
+                let clear = term.coefficients[0].powi(2) > odds::CLEAR.chi_square() * variance;
                 if !basis.kept.contains(&own.start) || !clear {
                     return f64::NEG_INFINITY;
                 }
@@ -151,7 +139,7 @@ impl Regression<'_> {
                 let is_clear = |(size, k): (&f64, usize)| {
                     *size < 0.0
                         && basis.kept.contains(&k)
-                        && size.powi(2) > CLEAR * all[(k, k)] * scale
+                        && size.powi(2) > odds::CLEAR.chi_square() * all[(k, k)] * scale
                 };
                 if term.coefficients.iter().zip(own.clone()).any(is_clear) {
                     return f64::NEG_INFINITY;
@@ -191,7 +179,7 @@ impl Regression<'_> {
             .rows
             .axes
             .iter()
-            .map(|a| (ROUNDING_MM / self.noise.sigma_mm[*a]).powi(2))
+            .map(|a| (rounding::WRITTEN / self.noise.sigma_mm[*a]).powi(2))
             .sum();
         rss + rounding * self.rows.samples.len() as f64
     }

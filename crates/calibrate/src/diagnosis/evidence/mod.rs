@@ -35,13 +35,14 @@ mod trials;
 mod work;
 
 pub(crate) use bisection::bisected;
-pub(crate) use familywise::FamilyP;
+pub(crate) use familywise::{FamilyP, SMALLEST};
 pub(crate) use fit::Fit;
 pub(crate) use grams::units_beside;
 pub(crate) use held_out::Folds;
 pub(crate) use likelihood::{EFFECT_PRIOR_PENALTY, is_beyond};
-pub(crate) use regression::Regression;
-pub(crate) use rescanned::{FEW, chosen_again};
+pub(crate) use refine::NEIGHBOURS;
+pub(crate) use regression::{KEPT, Regression};
+pub(crate) use rescanned::{MOST_SETTINGS, chosen_again};
 pub(crate) use score::{Score, by_odds, weight_of};
 pub(crate) use significance::Significance;
 pub(crate) use surroundings::{Surroundings, Without};

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::linear::Basis;
+use crate::linear::{Basis, DEPENDENT};
 use crate::model::shapes::{Profile, Shape};
 use nalgebra::{DMatrix, DVector};
 
@@ -40,7 +40,7 @@ impl Regression<'_> {
             let same = basis.solve(&white.column(k).into_owned());
             white.column_mut(k).gemv(-1.0, &own_white, &same, 1.0);
             raw.column_mut(k).gemv(-1.0, &own_raw, &same, 1.0);
-            if white.column(k).norm() < 1e-6 * before {
+            if white.column(k).norm() < DEPENDENT * before {
                 white.column_mut(k).fill(0.0);
                 raw.column_mut(k).fill(0.0);
             }

@@ -6,11 +6,15 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::{Setting, Term, stated_orders};
 use crate::linear::{Basis, reject_all};
 use crate::model::shapes::{Profile, Shape};
+use crate::rounding;
 
 use super::fit::Fit;
 use super::regression::Regression;
 use crate::diagnosis::candidates::Placed;
 use crate::diagnosis::candidates::table::CandidateKind;
+
+/// Orders closer than this are one order and its interval.
+pub(crate) const NEIGHBOURS: f64 = 1.5;
 
 impl Regression<'_> {
     /// A candidate with its shape fitted finely to what is left.
@@ -50,7 +54,7 @@ impl Regression<'_> {
         for _ in 0..8 {
             for order in [best - step, best + step] {
                 let inside = order >= f64::from(from) && order <= f64::from(to);
-                if inside && (order - term.setting).abs() < 1.5 {
+                if inside && (order - term.setting).abs() < NEIGHBOURS {
                     let value = gain(order);
                     if value > most {
                         (best, most) = (order, value);
@@ -76,7 +80,7 @@ impl Regression<'_> {
         };
         // An order that the gear ratio asks for is no choice among all.
         let stated = stated_orders(&self.base.robot, term.joint).map(|s| s.order);
-        let near = stated.filter(|order| (order - term.setting).abs() < 1.5);
+        let near = stated.filter(|order| (order - term.setting).abs() < NEIGHBOURS);
         let pays = |order: f64| self.price_of_term(&at(order));
         let likelier =
             near.filter(|order| worth(gain(*order)) - pays(*order) >= value - pays(chosen.round()));
@@ -124,9 +128,6 @@ struct Wave {
     moves: DVector<f64>,
 }
 
-/// How well columns are a wave, beside the largest number: rounding.
-const ROUNDING: f64 = 1e-9;
-
 impl Wave {
     /// `None` where the term's columns are no such wave.
     fn of(regression: &Regression, fit: &Fit, term: &Term) -> Option<Self> {
@@ -144,7 +145,7 @@ impl Wave {
         let moves = DVector::from_fn(columns.nrows(), |row, _| moves(row));
         let wave = Self { q, moves };
         let apart = (wave.at(term.setting) - &columns).amax();
-        (apart <= ROUNDING * columns.amax()).then_some(wave)
+        (apart <= rounding::COMPUTED * columns.amax()).then_some(wave)
     }
 
     /// Its columns at another order.

@@ -7,6 +7,7 @@ use std::rc::Rc;
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::budget;
 use crate::effects::Term;
 use crate::fit::priors::Priors;
 use crate::fit::problem::Problem;
@@ -68,14 +69,10 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
     }
 }
 
-/// The last fits are kept, of which one that comes again is no work: so many numbers of the base's columns in them
-/// (16 MiB), and no more than these.
-const LAST_FITS: usize = 1 << 21;
-const MOST_FITS: usize = 64;
+/// Results of fits that are kept: a search comes back to its last ones.
+pub(crate) const KEPT: usize = 64;
 /// Lists of rivals that are kept for fits that a search comes to again.
 const RIVALS_KEPT: usize = 2;
-/// Errors on unseen samples that are kept.
-const UNSEEN_KEPT: usize = 256;
 /// Tables that are kept: each has a column of some tens of numbers for every column of the candidates.
 const SURROUNDINGS_KEPT: usize = 3;
 
@@ -98,7 +95,7 @@ impl<'a> Regression<'a> {
             .slow
             .map_or(0.0, |slow| choice_of_axes(&rows, slow.rms_mm));
         let numbers_of_a_basis = (rows.len() + beside) * base.coefficient_count();
-        let last_fits = (LAST_FITS / numbers_of_a_basis.max(1)).min(MOST_FITS);
+        let last_fits = (budget::NUMBERS_KEPT / numbers_of_a_basis.max(1)).min(KEPT);
         let of_robot = f64::from(u8::from(noise.joints_rad > 0.0));
         let price = PRICE_OF_A_VARIANCE * (numbers + of_robot) + choice;
         let ln_noise = -0.5 * filter.ln_determinant() - price;
@@ -117,9 +114,9 @@ impl<'a> Regression<'a> {
             priors,
             prior_rows: beside,
             threads,
-            largest_in_noise: Memo::new(UNSEEN_KEPT),
+            largest_in_noise: Memo::new(KEPT),
             fits: Memo::new(last_fits),
-            unseen: Memo::new(UNSEEN_KEPT),
+            unseen: Memo::new(KEPT),
             surroundings: Memo::new(SURROUNDINGS_KEPT),
             rivals: Memo::new(RIVALS_KEPT),
         }

@@ -3,7 +3,9 @@
 //! The step of a fit without some rows is taken from where the fit ended, with the columns that it has there; its
 //! shapes are solved for afresh, so that what is to be explained is what the model alone leaves.
 
+use super::fitting::OF_A_FIT;
 use crate::effects::{Setting, Term};
+use crate::fewest;
 use nalgebra::{DMatrix, DVector};
 
 use super::fit::Fit;
@@ -17,12 +19,10 @@ use crate::diagnosis::candidates::compatible;
 /// Another setting rivals the term's own from this share of what that does on.
 const RIVALS: f64 = 0.6;
 /// Settings that are scanned afresh, at most …
-const MOST_SETTINGS: usize = 16;
+pub(crate) const MOST_SETTINGS: usize = 16;
 /// … of those that would lower the square by this share of what the term does, over all samples: a fifth of them
 /// does not make up for the rest.
 const NEAR: f64 = 0.3;
-/// Products for each number of a fit's columns, as of two rounds of a fit.
-const OF_THE_COLUMNS: f64 = 300.0;
 
 /// Whether other settings of a term would do nearly as much as its own.
 pub(super) fn has_near_rivals(
@@ -117,7 +117,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         let settings: usize = terms.iter().map(|t| 2 + t.candidates.len()).sum();
         let more = width.saturating_sub(regression.base.coefficient_count()) + 1;
         let bases = (1 + terms.len()) * 4 * more + 4 * settings;
-        let products = OF_THE_COLUMNS + bases as f64;
+        let products = 2.0 * OF_A_FIT + bases as f64;
         regression.work.did((height * width) as f64 * products);
         Self {
             fitted: Fitted::new(&fit.basis, &white, left, terms),
@@ -224,7 +224,7 @@ fn any_instead(regression: &Regression, fit: &Fit, rest: &Fit, term: &Term) -> S
 fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
     let mut first = 0;
     let mut all = Vec::new();
-    let many = regression.rows.samples.len() >= FEW;
+    let many = regression.rows.samples.len() >= fewest::TO_SCAN;
     for term in fit.model.terms() {
         let size = term.coefficients.len();
         let at = first;
@@ -250,9 +250,6 @@ fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
     }
     all
 }
-
-/// Below this number of samples every sector is left out in turn.
-pub(crate) const FEW: usize = 60;
 
 #[cfg(test)]
 mod tests {

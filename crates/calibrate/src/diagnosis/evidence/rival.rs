@@ -4,13 +4,6 @@ use crate::effects::Term;
 
 use super::fit::Fit;
 
-/// Log-odds within which the samples cannot rule a rival out: about 20 : 1.
-/// A drift or step of the frame is held against slow noise with the same odds: both are
-/// movements of the frame, and the set of equivalent names cannot hold the noise
-/// (`hidden_effects component`, λ = 100: named or in the set 90 % of 98, then 99 % of 210;
-/// `slow`: no more of the machine is named).
-pub(crate) const UNDECIDED: f64 = 3.0;
-
 /// Another explanation.
 #[derive(Debug, Clone)]
 pub(crate) struct Rival {

@@ -10,6 +10,7 @@ use super::regression::Regression;
 use super::score::weight_of;
 use super::significance::Significance;
 use super::surroundings::Surroundings;
+use crate::budget;
 use crate::diagnosis::candidates::table::Candidate;
 
 /// One candidate beside a model.
@@ -35,9 +36,6 @@ pub(super) struct Trials<'p, 'a> {
     all: Vec<Trial<'p>>,
     kinds: Vec<CandidateClass>,
 }
-
-/// Columns that residuals are sent through at once.
-const AT_ONCE: usize = 512;
 
 impl<'p, 'a> Trials<'p, 'a> {
     pub(crate) fn new(regression: &'p Regression<'a>, around: &'p Surroundings) -> Self {
@@ -90,7 +88,7 @@ impl<'p, 'a> Trials<'p, 'a> {
         let mut together: Vec<&[Trial]> = Vec::new();
         let mut all = self.all.as_slice();
         while let Some(first) = all.first().map(|t| t.candidate.first) {
-            let up_to = first + columns.together(first).min(AT_ONCE);
+            let up_to = first + columns.together(first).min(budget::AT_ONCE);
             let some = all.partition_point(|t| end(t) <= up_to).max(1);
             let (now, rest) = all.split_at(some);
             all = rest;

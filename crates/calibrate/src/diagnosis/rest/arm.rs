@@ -8,11 +8,11 @@ use crate::effects::Term;
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::model::Model;
+use crate::odds;
 use crate::side_by_side::Threads;
 use crate::text::Text;
 
 use super::design::Design;
-use super::{BEYOND_DOUBT, LIKELIER};
 
 /// The gain on unseen samples has to be so many times its own standard deviation …
 const SURE: f64 = 2.5;
@@ -44,7 +44,7 @@ pub(crate) fn fitted(
     let own = chosen(design.clone())?;
     let gains = &own.gains;
     let worth = gains.after_mm < (1.0 - WORTH) * gains.before_mm;
-    let sure = if own.likelier > BEYOND_DOUBT {
+    let sure = if own.likelier > odds::BEYOND_DOUBT.nats() {
         SURE_ENOUGH
     } else {
         SURE
@@ -101,7 +101,7 @@ fn chosen(mut design: Design) -> Option<Chosen> {
         strengths = design.strengths()?;
     }
     let (mut strengths, likelier) = strengths;
-    if likelier < LIKELIER {
+    if likelier < odds::TAKEN.nats() {
         return None;
     }
     // A family that does not help on unseen cells goes.

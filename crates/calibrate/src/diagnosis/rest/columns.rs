@@ -13,21 +13,18 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::curve::{DIRECTIONS, Knots};
 use crate::effects::{EACH_DIRECTION, Term};
-use crate::fit::noise::{Filter, Noise, SMALLEST_SIGMA_MM, Slow};
+use crate::fit::gauge::MOST_SEEN;
+use crate::fit::noise::{Filter, Noise, Slow};
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::linear::Basis;
 use crate::model::Model;
+use crate::rounding;
 
 use super::held_out::Whitened;
 
-/// A longer session is thinned evenly to so many samples: there are hundreds for each knot then.
+/// A longer session is thinned evenly to so many samples: some fifty for each knot.
 const MOST_SAMPLES: usize = 3000;
-/// Values of the joint closer than this (rad or mm) are the same pose.
-pub(super) const SAME: f64 = 1e-6;
-/// A direction of which less than this share is left beside the others was not measured; a column of which less is
-/// along a direction does nothing there.
-const MEASURED: f64 = 1e-3;
 
 /// See the module.
 pub(super) struct Columns<'a> {
@@ -116,7 +113,7 @@ impl<'a> Columns<'a> {
             base,
             moves,
             filter: Some(noise.filter(&rows)),
-            floor: (SMALLEST_SIGMA_MM / smallest).powi(2),
+            floor: (rounding::WRITTEN / smallest).powi(2),
             measured: (0..rows.len()).filter(|row| rows.has(*row)).collect(),
         };
         Self::of(rows, joint, vec![block])
@@ -128,7 +125,7 @@ impl<'a> Columns<'a> {
         let dir = dir.map_or_else(|| vec![0.0; q.len()], <[f64]>::to_vec);
         let mut values = q.clone();
         values.sort_by(f64::total_cmp);
-        values.dedup_by(|a, b| (*a - *b).abs() < SAME);
+        values.dedup_by(|a, b| (*a - *b).abs() < rounding::WRITTEN);
         Self {
             joint,
             rows,
@@ -212,7 +209,7 @@ impl Block {
                 }
                 let length = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
                 let left = length(&v);
-                if left > 0.0 && left > MEASURED * length(&whole) {
+                if left > 0.0 && left > MOST_SEEN * length(&whole) {
                     for x in &mut v {
                         *x /= left;
                     }
@@ -233,7 +230,7 @@ impl Block {
             for (mut column, whole) in beside.column_iter_mut().zip(base.column_iter()) {
                 let norm = column.norm();
                 // What moves nothing in this direction leaves rounding there.
-                if norm > MEASURED * whole.norm() {
+                if norm > MOST_SEEN * whole.norm() {
                     column.unscale_mut(norm);
                 } else {
                     column.fill(0.0);
@@ -247,7 +244,7 @@ impl Block {
                 base: beside,
                 moves: DMatrix::from_columns(&[moves]),
                 filter: None,
-                floor: SMALLEST_SIGMA_MM * SMALLEST_SIGMA_MM,
+                floor: rounding::WRITTEN * rounding::WRITTEN,
                 samples: own.into_iter().map(|o| o.0).collect(),
                 measured: (0..m).collect(),
             });
@@ -309,7 +306,7 @@ impl Block {
         };
         if slow.is_some() {
             self.filter = Some(noise.filter_over(&own.times, &[0]));
-            self.floor = (SMALLEST_SIGMA_MM / sigma).powi(2);
+            self.floor = (rounding::WRITTEN / sigma).powi(2);
         }
         slow.is_some()
     }

@@ -1,5 +1,7 @@
 //! The columns of the geometry and of the families on the samples, and their products, fold by fold.
 
+use nalgebra::{DMatrix, DVector};
+
 use crate::diagnosis::evidence::Folds;
 use crate::diagnosis::evidence::shares::{Gains, dealt};
 use crate::effects::curve::DIRECTIONS;
@@ -11,18 +13,13 @@ use crate::fit::regression::Rows;
 use crate::model::Model;
 use crate::side_by_side::Threads;
 use crate::text::Text;
-use nalgebra::{DMatrix, DVector};
+use crate::{budget, fewest};
 
 use super::families::Families;
-use super::groups::{NEARLY, Remaining};
+use super::groups::Remaining;
 use super::held_out::{HeldOut, Whitened};
 use super::orders::{self, Residual};
 use super::products::Products;
-
-/// A longer session is thinned evenly to so many samples.
-const MOST_SAMPLES: usize = 1500;
-/// Orders that are added at most.
-const MOST_ORDERS: usize = 8;
 
 /// Columns of the geometry and of each family, with their products fold by fold.
 #[derive(Clone)]
@@ -95,7 +92,7 @@ impl<'a> Design<'a> {
         model: &Model,
         threads: Threads,
     ) -> Option<Self> {
-        let problem = problem.thinned(MOST_SAMPLES);
+        let problem = problem.thinned(budget::SAMPLES);
         let rows = Rows::of(&problem).seen_by(model);
         let joints = model.robot.joints.len();
         let probes = (0..joints).map(|joint| Term::absent(&EACH_DIRECTION, joint, 0.0));
@@ -141,7 +138,7 @@ impl<'a> Design<'a> {
                 raw.column_mut(k).unscale_mut(norm);
             }
         }
-        if rows.count() < kept.len() + FEWEST_ROWS {
+        if rows.count() < kept.len() + fewest::TO_SCAN {
             return None;
         }
         let base = kept.len();
@@ -309,7 +306,7 @@ impl<'a> Design<'a> {
 
     /// The joint and the order that what is left shows beyond all noise, if any.
     pub(super) fn next_order(&self, strengths: &[f64]) -> Option<(usize, f64)> {
-        if self.orders >= MOST_ORDERS || !self.noise.is_white() {
+        if self.orders >= budget::ROUNDS || !self.noise.is_white() {
             return None;
         }
         let solved = self.solved(strengths)?;
@@ -356,7 +353,7 @@ impl<'a> Design<'a> {
     pub(super) fn gains(&self, unseen: &HeldOut, strengths: &[f64]) -> Option<Gains> {
         let family = self.family_of();
         let squares = unseen.squares(|remaining| {
-            let refined = remaining.refined(&family, strengths.to_vec(), NEARLY)?;
+            let refined = remaining.refined(&family, strengths.to_vec(), budget::ROUNDS)?;
             Some(remaining.solved(&family, &refined)?.coefficients())
         })?;
         Some(self.gains_of(&squares))
@@ -384,6 +381,3 @@ impl<'a> Design<'a> {
         Some((self.families.terms(own, joints), over.collect()))
     }
 }
-
-/// Below this number of rows beyond what the geometry takes nothing is said.
-const FEWEST_ROWS: usize = 60;

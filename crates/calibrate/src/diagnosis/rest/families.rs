@@ -4,7 +4,6 @@
 //! own value and of those of its neighbours, a smooth curve over its range; across the joint's axis and
 //! along it: harmonics of its own value (a bearing that runs out or wobbles).
 
-use crate::text::Text;
 use nalgebra::DMatrix;
 
 use crate::effects::curve::DIRECTIONS;
@@ -13,12 +12,11 @@ use crate::effects::unnamed::asked_at;
 use crate::effects::{Inputs, Term};
 use crate::kinematics::{JointKind, Robot};
 use crate::numeric::extent;
+use crate::text::Text;
 
 /// Harmonics of a joint's own value.
 const HARMONICS: usize = 6;
-/// Harmonics of a neighbour's value.
-const OF_NEIGHBOURS: usize = 2;
-/// How many joints away a neighbour is at most.
+/// How many joints away a neighbour is at most, and harmonics of its value.
 const NEIGHBOURS: usize = 2;
 /// Harmonics across a joint's axis.
 const ACROSS: usize = 3;
@@ -142,7 +140,7 @@ impl Families {
             joint.saturating_sub(NEIGHBOURS)..robot.joints.len().min(joint + NEIGHBOURS + 1)
         {
             if other != joint && turns(other) {
-                let own = harmonics(other, OF_NEIGHBOURS);
+                let own = harmonics(other, NEIGHBOURS);
                 self.add(joint, FamilyKind::Over(other), own);
             }
         }

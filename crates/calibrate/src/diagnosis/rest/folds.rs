@@ -3,11 +3,9 @@
 
 use std::collections::BTreeMap;
 
-use super::columns::{Columns, SAME};
+use super::columns::Columns;
 use crate::text::Text;
-
-/// Parts into which the samples are cut to be held out.
-const PARTS: usize = 5;
+use crate::{budget, rounding};
 
 /// Which part each sample is in; `None`: no fit goes without it.
 pub(super) struct Folds {
@@ -24,14 +22,14 @@ impl Folds {
         let last = columns.values.len().checked_sub(1)?;
         let part = |q: &f64| {
             let rank = rank(columns, *q);
-            (rank > 0 && rank < last).then_some(rank % PARTS)
+            (rank > 0 && rank < last).then_some(rank % budget::FOLDS)
         };
         Self {
             of: columns.q.iter().map(part).collect(),
-            count: PARTS,
+            count: budget::FOLDS,
             how: text!(
                 "every {parts}th value of joint {joint}, each held out in turn and predicted by a fit without it",
-                parts = PARTS,
+                parts = budget::FOLDS,
                 joint = joint + 1
             ),
         }
@@ -63,7 +61,7 @@ impl Folds {
         });
         let visits: Vec<((usize, i8), usize)> = visits.collect();
         let runs = seen.values().max().copied().unwrap_or(0);
-        let count = runs.min(PARTS);
+        let count = runs.min(budget::FOLDS);
         // A value that was visited once belongs to no run that another one could predict.
         let run = |(place, visit): &((usize, i8), usize)| {
             (seen[place] > 1).then_some(visit * count / runs.max(1))
@@ -99,5 +97,7 @@ impl Folds {
 
 /// Which of the different values a value is.
 fn rank(columns: &Columns, q: f64) -> usize {
-    columns.values.partition_point(|v| *v < q - SAME)
+    columns
+        .values
+        .partition_point(|v| *v < q - rounding::WRITTEN)
 }

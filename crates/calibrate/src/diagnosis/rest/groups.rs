@@ -15,18 +15,12 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::products::Products;
+use crate::fit::noise::PRICE_OF_A_VARIANCE;
 use crate::linear::{gram, inverse_of_lower};
+use crate::{budget, rounding};
 
-/// Strengths are refined so often from the beginning …
-const ROUNDS: usize = 40;
-/// … and where they are nearly right.
-pub(super) const NEARLY: usize = 6;
 /// A group that determines less than this many columns is nothing.
 const NOTHING: f64 = 0.05;
-/// A group has to make the samples so much likelier, as a logarithm, beyond the number of groups that there are: a
-/// variance on the boundary of its range (half of χ² with one degree of freedom), so that of a hundred groups noise
-/// has one in one session of 25.
-const WORTH: f64 = 1.0;
 
 /// What is left once the base has taken its part.
 #[derive(Debug, Clone)]
@@ -195,7 +189,7 @@ impl Remaining {
         }
         let rows = self.freedom.max(1.0);
         let strength = |(sum, columns): &(f64, f64)| {
-            if *sum > 1e-9 * rows {
+            if *sum > rounding::COMPUTED * rows {
                 columns * rows / (10.0 * sum * count as f64)
             } else {
                 0.0
@@ -226,10 +220,10 @@ impl Remaining {
             let mut moved = 0.0_f64;
             for (f, first, count) in groups(&own) {
                 let next = solved.next_strength(&inverse, first, count);
-                moved = moved.max((next / strengths[f]).max(1e-12).ln().abs());
+                moved = moved.max((next / strengths[f]).max(f64::MIN_POSITIVE).ln().abs());
                 strengths[f] = next;
             }
-            if moved < 0.05 {
+            if moved < budget::SETTLED {
                 break;
             }
         }
@@ -240,8 +234,8 @@ impl Remaining {
     /// the samples are with them, as a logarithm.
     pub(super) fn strengths(&self, group: &[usize], count: usize) -> Option<(Vec<f64>, f64)> {
         let first = self.first(group, count);
-        let needed = WORTH + (count.max(1) as f64).ln();
-        let mut strengths = self.refined(group, first, ROUNDS)?;
+        let needed = PRICE_OF_A_VARIANCE + (count.max(1) as f64).ln();
+        let mut strengths = self.refined(group, first, budget::STEPS)?;
         loop {
             let (own, solved) = self.of_strengths(group, &strengths)?;
             let here = solved.ln_evidence();
@@ -256,7 +250,7 @@ impl Remaining {
             match least {
                 Some((f, worth)) if worth < needed => {
                     strengths[f] = 0.0;
-                    strengths = self.refined(group, strengths, NEARLY)?;
+                    strengths = self.refined(group, strengths, budget::ROUNDS)?;
                 }
                 _ => return Some((strengths, here - self.alone())),
             }

@@ -19,38 +19,34 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::Term;
 use crate::effects::curve::{Curve, DIRECTIONS, Knots, Parts};
 use crate::fit::gap::{deviations, suspects};
-use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
+use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::{base_model, noise_beside};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::text::Text;
+use crate::{budget, fewest, odds, rounding};
 
-use super::columns::{Block, Columns, SAME};
+use super::columns::{Block, Columns};
 use super::folds::Folds;
 use super::groups::Remaining;
 use super::held_out::{HeldOut, Whitened};
 use super::kernels::{Fitted, Kernels, Prior};
 use super::products::Products;
-use super::{BEYOND_DOUBT, LIKELIER};
 use crate::side_by_side::Threads;
 
 /// Sides of a direction: what is common to both, and half of the reversal.
 const SIDES: usize = 2;
 /// Most knots of a curve over a range.
-const MOST_KNOTS: usize = 61;
-/// With fewer different values of a joint no curve rivals a name.
-const FEWEST_TO_RIVAL: usize = 10;
+pub(crate) const MOST_KNOTS: usize = 61;
 
 /// Most knots over a turn …
 const MOST_IN_A_TURN: usize = 72;
 /// … and over a shorter period.
-const MOST_IN_A_PERIOD: usize = 24;
+pub(crate) const MOST_IN_A_PERIOD: usize = 24;
 /// With fewer different values of the joint there is nothing between which a curve could be drawn (ISO 230-2 asks
 /// for five targets).
 const FEWEST_VALUES: usize = 5;
-/// How often samples that were suspected are looked at again.
-const MOST_ROUNDS: usize = 4;
 /// What repeats over a joint beside a model.
 pub(crate) struct Repeating<'a> {
     /// The curve.
@@ -81,7 +77,7 @@ pub(crate) fn repeating<'a>(
     period: Option<f64>,
 ) -> Option<Repeating<'a>> {
     let (problem, fitted) = settled(problem, model, joint, period)?;
-    if fitted.ln_odds() < LIKELIER {
+    if fitted.ln_odds() < odds::TAKEN.nats() {
         return None;
     }
     let held_out = |folds: Folds| Some((fitted.held_out(&folds)?, folds));
@@ -93,7 +89,8 @@ pub(crate) fn repeating<'a>(
     let said = said.or(by_runs.as_ref().filter(gains));
     let seen = |own: &Option<([f64; 2], Folds)>| own.is_some();
     let denied = by_runs.as_ref().is_some_and(|own| !gains(&own));
-    let doubted = fitted.ln_odds() < BEYOND_DOUBT || !(seen(&by_values) || seen(&by_runs));
+    let doubted =
+        fitted.ln_odds() < odds::BEYOND_DOUBT.nats() || !(seen(&by_values) || seen(&by_runs));
     if denied || said.is_none() && doubted {
         return None;
     }
@@ -129,7 +126,7 @@ fn settled<'a>(
     use_what_returns(&mut problem, joint);
     let mut fitted =
         OverJoint::fitted(Columns::new(&problem, model, joint, is_base), model, period)?;
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..budget::ROUNDS {
         let with = model.with_term(Term::unexplained(joint, fitted.curve()?));
         // Beside the names alone the peak of a bump looks like an outlier, and an outlier beside a bump like none.
         let suspected = suspects(&problem, &deviations(&problem, &with));
@@ -161,7 +158,8 @@ fn use_what_returns(problem: &mut Problem, joint: usize) {
     let mut places: BTreeMap<i64, (usize, Vec<usize>)> = BTreeMap::new();
     let mut before = None;
     for k in (0..fit.len()).filter(|k| fit[*k]) {
-        let place = (problem.inputs.q[joint][problem.sample_of(k)] / SAME).round() as i64;
+        let place =
+            (problem.inputs.q[joint][problem.sample_of(k)] / rounding::WRITTEN).round() as i64;
         let (visits, readings) = places.entry(place).or_default();
         *visits += usize::from(before != Some(place));
         readings.push(k);
@@ -201,10 +199,10 @@ pub(crate) fn free_curve(
     joint: usize,
 ) -> Option<FreeCurve> {
     let columns = Columns::together(problem, noise, model, joint);
-    if columns.values.len() < FEWEST_TO_RIVAL {
+    if columns.values.len() < fewest::TO_JUDGE {
         return None;
     }
-    let knots = columns.knots(columns.values.len().clamp(4, MOST_KNOTS));
+    let knots = columns.knots(columns.values.len().clamp(fewest::OF_A_PART, MOST_KNOTS));
     let kernels = Kernels::new(knots.count, false)?;
     let block = &columns.blocks[0];
     let whitened = block.whitened(&block.curve(&columns, &knots, 1));
@@ -309,7 +307,7 @@ impl<'a> OverJoint<'a> {
             let step = part.products.with_base(&none)?.rows(0, base).into_owned();
             let constant = block.as_constant(&step);
             let Some(fitted) = part.fitted(&self.kernels) else {
-                if constant.abs() > SMALLEST_SIGMA_MM {
+                if constant.abs() > rounding::WRITTEN {
                     values[direction] = vec![constant * unit; n];
                     sigma[direction] = vec![0.0; n];
                 }
@@ -386,7 +384,7 @@ fn alone(columns: &Columns, folds: &Folds) -> Option<f64> {
 /// Knots over the range, twice as many as there are values, over a turn where the joint goes round, and over a period.
 fn knots(columns: &Columns, turns: bool, period: Option<f64>) -> Vec<Knots> {
     let values = columns.values.len();
-    let range = columns.knots((2 * values - 1).clamp(4, MOST_KNOTS));
+    let range = columns.knots((2 * values - 1).clamp(fewest::OF_A_PART, MOST_KNOTS));
     let span = range.to - range.from;
     let around = std::f64::consts::TAU;
     let step = span / (values - 1).max(1) as f64;
@@ -396,14 +394,14 @@ fn knots(columns: &Columns, turns: bool, period: Option<f64>) -> Vec<Knots> {
     let comes_round = |period: &f64| 2.0 * period <= span && *period >= 4.0 * step;
     all.extend(period.filter(comes_round).map(|period| Knots {
         period: Some(period),
-        count: values.clamp(4, MOST_IN_A_PERIOD),
+        count: values.clamp(fewest::OF_A_PART, MOST_IN_A_PERIOD),
         ..range
     }));
     // The first value of the next turn is a step behind the last one of this.
     if turns && span + 1.5 * step >= around {
         all.push(Knots {
             period: Some(around),
-            count: (2 * values).clamp(4, MOST_IN_A_TURN),
+            count: (2 * values).clamp(fewest::OF_A_PART, MOST_IN_A_TURN),
             ..range
         });
     }

@@ -16,6 +16,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::groups::{Remaining, Solved};
 use crate::linear::Basis;
+use crate::{odds, rounding};
 
 /// Lengths of the prior that are tried, in shares of the range (of the period).
 const LENGTHS: [f64; 6] = [1.0, 0.5, 0.25, 0.12, 0.06, 0.03];
@@ -26,15 +27,10 @@ const SMOOTHNESS: [fn(f64) -> f64; 4] = [
     |r| (1.0 + r + r * r / 3.0) * (-r).exp(),
     |r| (-0.5 * r * r).exp(),
 ];
-/// Variance of a rough part beside a smooth curve, whose covariance has no factor: some 10⁻⁵ of its size, far
-/// below the noise of a curve that is a thousand times the noise.
-const BESIDE_SMOOTH: f64 = 1e-9;
 /// Sizes that are tried first, in units of the noise: each four times the last.
 fn sizes() -> impl Iterator<Item = f64> {
     (0..8).map(|k| 0.2 * 4.0_f64.powi(k))
 }
-/// A part has to make the residuals so much likelier, as a logarithm: twenty times.
-const WORTH: f64 = 3.0;
 
 /// The prior of each part: its kernel, by its number among those that are tried, and its size in units of the
 /// noise; `None`: the part is nothing.
@@ -52,7 +48,7 @@ impl Kernels {
             if periodic { (PI * d).sin() / PI } else { d }
         };
         let root = |correlation: fn(f64) -> f64, length: f64| {
-            let rough = |i: usize, j: usize| if i == j { BESIDE_SMOOTH } else { 0.0 };
+            let rough = |i: usize, j: usize| if i == j { rounding::COMPUTED } else { 0.0 };
             let all = |i, j| correlation(apart(i, j) / length) + rough(i, j);
             Some(DMatrix::from_fn(knots, knots, all).cholesky()?.unpack())
         };
@@ -127,7 +123,7 @@ impl Kernels {
             let mut with = best.0.clone();
             with[part] = Some(own);
             let (with, ln_evidence) = self.refined(remaining, with);
-            if ln_evidence <= best.1 + WORTH {
+            if ln_evidence <= best.1 + odds::OPEN.nats() {
                 break;
             }
             left = remaining.without(&self.fit(remaining, &with)?.values());

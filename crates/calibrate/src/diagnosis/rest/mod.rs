@@ -18,9 +18,3 @@ pub(crate) mod joint;
 mod kernels;
 mod orders;
 mod products;
-
-/// The samples have to be so much likelier with what has no name, as a logarithm. Kernels, sizes and parts are chosen, so
-/// that noise alone gains something: `tests/reference/axis_tables.py --kinds noise`.
-const LIKELIER: f64 = 6.0;
-/// So much likelier they are beyond doubt, as a logarithm: no noise does that.
-const BEYOND_DOUBT: f64 = 50.0;

@@ -6,17 +6,15 @@ use std::borrow::Cow;
 use nalgebra::{DMatrix, DVector};
 
 use crate::kinematics::{JointKind, Robot};
+use crate::lanes::TOGETHER;
 use crate::wide::{Loop, wide};
+use crate::{fewest, odds, rounding};
 
 /// Orders that are looked at, cycles per turn.
 const FROM: f64 = 7.0;
 const TO: f64 = 420.0;
 /// Steps within the resolution of the range.
 const STEPS: f64 = 4.0;
-/// With fewer different values of a joint one order looks like another.
-const FEWEST_VALUES: usize = 60;
-/// ln of the odds beyond the number of orders that are looked at.
-const LIKELIER: f64 = 7.0;
 
 /// What is left, whitened, and what a turn of each joint does to it.
 pub(super) struct Residual<'r> {
@@ -35,7 +33,7 @@ pub(super) fn strongest(residual: &Residual) -> Option<(usize, f64)> {
     let mut tried = 0.0;
     for (joint, own) in residual.robot.joints.iter().enumerate() {
         let q = &residual.q[joint];
-        if own.kind != JointKind::Revolute || different(q) < FEWEST_VALUES {
+        if own.kind != JointKind::Revolute || different(q) < fewest::TO_SCAN {
             continue;
         }
         let sums = Sums::of(residual, joint);
@@ -69,13 +67,14 @@ pub(super) fn strongest(residual: &Residual) -> Option<(usize, f64)> {
         }
     }
     let (joint, order, gain) = best?;
-    (0.5 * gain / residual.variance > f64::ln(tried.max(1.0)) + LIKELIER).then_some((joint, order))
+    (0.5 * gain / residual.variance > f64::ln(tried.max(1.0)) + odds::CLEAR.nats())
+        .then_some((joint, order))
 }
 
 fn different(q: &[f64]) -> usize {
     let mut sorted = q.to_vec();
     sorted.sort_by(f64::total_cmp);
-    sorted.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
+    sorted.dedup_by(|a, b| (*a - *b).abs() < rounding::WRITTEN);
     sorted.len()
 }
 
@@ -108,7 +107,7 @@ impl Sums {
         });
         let [a, b, aa, ab, bb] = sums.map(|lanes| lanes.iter().sum::<f64>());
         let determinant = aa * bb - ab * ab;
-        if determinant <= 1e-6 * aa * bb {
+        if determinant <= rounding::WRITTEN * aa * bb {
             return 0.0;
         }
         (a * a * bb - 2.0 * a * b * ab + b * b * aa) / determinant
@@ -123,23 +122,23 @@ struct Summing<'s> {
 }
 
 impl Loop for Summing<'_> {
-    type Output = [[f64; LANES]; 5];
+    type Output = [[f64; TOGETHER]; 5];
 
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "see Loop")]
-    fn run(self) -> [[f64; LANES]; 5] {
+    fn run(self) -> [[f64; TOGETHER]; 5] {
         let (left, own) = (&self.sums.with_left, &self.sums.with_itself);
         let n = left.len().min(self.sin.len());
-        let mut sums = [[0.0; LANES]; 5];
+        let mut sums = [[0.0; TOGETHER]; 5];
         let mut at = 0;
-        while at + LANES <= n {
-            let some = at..at + LANES;
+        while at + TOGETHER <= n {
+            let some = at..at + TOGETHER;
             let waves = [&self.sin[some.clone()], &self.cos[some.clone()]];
             sums = with_waves(sums, [&left[some.clone()], &own[some]], waves);
-            at += LANES;
+            at += TOGETHER;
         }
         if at < n {
-            let pad = |all: &[f64]| -> [f64; LANES] {
+            let pad = |all: &[f64]| -> [f64; TOGETHER] {
                 std::array::from_fn(|k| all.get(at + k).copied().unwrap_or(0.0))
             };
             let waves = [&pad(self.sin)[..], &pad(self.cos)];
@@ -152,10 +151,10 @@ impl Loop for Summing<'_> {
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "see Loop")]
 fn with_waves(
-    [a, b, aa, ab, bb]: [[f64; LANES]; 5],
+    [a, b, aa, ab, bb]: [[f64; TOGETHER]; 5],
     [left, own]: [&[f64]; 2],
     [s, c]: [&[f64]; 2],
-) -> [[f64; LANES]; 5] {
+) -> [[f64; TOGETHER]; 5] {
     [
         std::array::from_fn(|k| a[k] + left[k] * s[k]),
         std::array::from_fn(|k| b[k] + left[k] * c[k]),
@@ -164,9 +163,6 @@ fn with_waves(
         std::array::from_fn(|k| bb[k] + own[k] * c[k] * c[k]),
     ]
 }
-
-/// Sums that run side by side.
-const LANES: usize = 8;
 
 /// Sines and cosines of one order after the other, each from the last by a turn.
 struct Waves {

@@ -4,12 +4,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 
 use crate::fit::spectrum::Spectrum;
 use crate::linear::{cross, gram, solve_lower};
-
-/// A column of the base that has less than this in common with the others is orthogonal to them anyway.
-const ORTHOGONAL: f64 = 1e-9;
-/// What is added to a base's own products, in units of a column: directions that the rows do not
-/// show stay as they are.
-const RIDGE: f64 = 1e-9;
+use crate::rounding;
 
 /// Products over some rows; the base's columns first, then those without a name, the residual last.
 #[derive(Debug, Clone)]
@@ -87,7 +82,7 @@ impl Products {
         let size = |k: usize| self.gram[(k, k)].max(0.0).sqrt();
         let largest = (n..n + p).map(size).fold(0.0, f64::max);
         let all = self.gram.view((n, 0), (p, n));
-        let is_common = |k: &usize| all.column(*k).norm() > ORTHOGONAL * size(*k) * largest;
+        let is_common = |k: &usize| all.column(*k).norm() > rounding::COMPUTED * size(*k) * largest;
         let kept: Vec<usize> = (0..n).filter(is_common).collect();
         let mut common = all.select_columns(&kept);
         for mut own in common.column_iter_mut() {
@@ -100,7 +95,7 @@ impl Products {
     fn factor(&self) -> Option<Cholesky<f64, nalgebra::Dyn>> {
         let mut own = self.of_base();
         for k in 0..self.base {
-            own[(k, k)] += RIDGE;
+            own[(k, k)] += rounding::COMPUTED;
         }
         own.cholesky()
     }

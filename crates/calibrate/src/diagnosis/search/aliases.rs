@@ -2,6 +2,12 @@
 //! are taken out and every name, and every pair of names, is tried in their place, singles against
 //! pairs and pairs against pairs. What comes close is refitted before it is judged.
 
+use super::prepare::MANY_NAMES;
+use crate::diagnosis::evidence::{
+    EFFECT_PRIOR_PENALTY, Fit, MOST_SETTINGS, Regression, Score, by_odds, units_beside,
+};
+use crate::lanes::LANES;
+use crate::{budget, odds};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -12,29 +18,12 @@ use crate::effects::{Setting, Term};
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::compatible;
 use crate::diagnosis::candidates::table::Candidate;
-use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
-use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::Regression;
-use crate::diagnosis::evidence::rival::{Rival, UNDECIDED, name};
-use crate::diagnosis::evidence::units_beside;
-use crate::diagnosis::evidence::{Score, by_odds};
+use crate::diagnosis::evidence::rival::{Rival, name};
 use crate::linear::{small_cholesky, small_gain};
-/// Before the refit some more are kept.
-const CLOSE: f64 = 6.0;
-/// Rivals that are refitted.
-const MOST_REFITTED: usize = 16;
-/// Settings of one name that pairs are made from.
-const SETTINGS: usize = 3;
-/// Settings of one name that are tried alone, and single names: neighbours of a step's time are not to
-/// crowd out the next name.
-const SETTINGS_ALONE: usize = 2;
+/// Single names that are tried.
 const ALONE: usize = 8;
-/// Candidates of pairs that are made orthonormal together.
-const AT_ONCE: usize = 64;
 /// A gain that is known to first order may be so many times as much.
 const MORE: f64 = 1.2;
-/// In a larger model only single terms are taken out.
-const MOST_FOR_PAIRS: usize = 5;
 
 /// Rivals without those that only add a name to another rival.
 pub(crate) fn without_idle_names<'r>(rivals: &[&'r Rival]) -> Vec<&'r Rival> {
@@ -54,7 +43,7 @@ pub(crate) fn without_idle_names<'r>(rivals: &[&'r Rival]) -> Vec<&'r Rival> {
 /// Rivals that the samples cannot rule out, by other names than the fit's, likeliest first.
 pub(crate) fn open_rivals(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     let mut open = rivals(regression, fit);
-    open.retain(|r| r.other_names() && r.fit.ln_evidence > fit.ln_evidence - UNDECIDED);
+    open.retain(|r| r.other_names() && r.fit.ln_evidence > fit.ln_evidence - odds::OPEN.nats());
     let all: Vec<&Rival> = open.iter().collect();
     let kept = without_idle_names(&all);
     kept.into_iter().cloned().collect()
@@ -91,7 +80,7 @@ struct RivalTrial {
     ln_evidence: f64,
 }
 
-/// Rivals of a fit, likeliest first; those that are further off than [`CLOSE`] are left out.
+/// Rivals of a fit, likeliest first; those that are further off than [`odds::TAKEN`] are left out.
 pub(crate) fn rivals(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     regression.rivals.of(fit, || tried(regression, fit))
 }
@@ -101,7 +90,7 @@ fn tried(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     let mut trials: Vec<RivalTrial> = Vec::new();
     for (i, first) in added.iter().enumerate() {
         try_without(regression, fit, std::slice::from_ref(first), &mut trials);
-        if added.len() > MOST_FOR_PAIRS {
+        if added.len() > MANY_NAMES {
             continue;
         }
         for second in &added[i + 1..] {
@@ -128,8 +117,8 @@ fn tried(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     });
     // What its own values rule out does not count among those that are refitted.
     let possible = refitted.filter(|r| r.fit.ln_evidence.is_finite());
-    let mut rivals: Vec<Rival> = possible.take(MOST_REFITTED).collect();
-    rivals.retain(|r| r.fit.ln_evidence > fit.ln_evidence - CLOSE);
+    let mut rivals: Vec<Rival> = possible.take(MOST_SETTINGS).collect();
+    rivals.retain(|r| r.fit.ln_evidence > fit.ln_evidence - odds::TAKEN.nats());
     rivals.sort_by(|a, b| b.fit.ln_evidence.total_cmp(&a.fit.ln_evidence));
     rivals
 }
@@ -139,7 +128,7 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
         .model
         .without(|t| removed.iter().any(|r| r.same_column(t)));
     let rest = Rc::new(regression.fit(&model, &fit.shapes));
-    let enough = fit.ln_evidence - CLOSE - rest.ln_evidence;
+    let enough = fit.ln_evidence - odds::TAKEN.nats() - rest.ln_evidence;
     let there = regression.added(&rest);
     // By the table beside the whole fit; what comes close is refitted.
     let mut scores = match regression.without_all(fit, removed) {
@@ -164,7 +153,7 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     };
     by_odds(&mut scores);
     let close = scores.iter().filter(|s| s.ln_odds > enough);
-    let alone = best_of_each(regression, close, |_| SETTINGS_ALONE);
+    let alone = best_of_each(regression, close, |_| budget::LIKELIEST);
     for score in alone.into_iter().take(ALONE) {
         push(vec![score.candidate], score.ln_odds);
     }
@@ -210,8 +199,8 @@ fn short_list<'s>(
 ) -> Vec<&'s Score> {
     best_of_each(regression, scores, |term| {
         match term.effect.about().setting {
-            Setting::Order { to, .. } if to <= 6 => 5,
-            _ => SETTINGS,
+            setting @ Setting::Order { .. } if !setting.takes_fractions() => 5,
+            _ => budget::LIKELIEST,
         }
     })
 }
@@ -275,7 +264,7 @@ fn best_pairs(
     let mut all: Vec<f64> = Vec::new();
     let mut better: Vec<f64> = Vec::new();
     let (mut first, mut width) = (0, 0);
-    for some in list.chunks(AT_ONCE) {
+    for some in list.chunks(LANES) {
         let candidate = |index: &usize| &regression.table.candidates[*index];
         let own: Vec<&Candidate> = some.iter().map(candidate).collect();
         let sizes = own.iter().map(|c| c.size);

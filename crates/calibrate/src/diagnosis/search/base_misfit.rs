@@ -3,6 +3,7 @@
 //! unseen places no better than the geometry alone, they only follow the samples; one of a size that no machine has,
 //! beside much that is left, stands for something else. None of them is said.
 
+use crate::budget;
 use crate::fit::base_model;
 
 use super::floor::floor;
@@ -16,13 +17,8 @@ use crate::diagnosis::evidence::is_beyond;
 use crate::diagnosis::evidence::rival::Rival;
 use crate::effects::Term;
 
-/// So many names are several.
-const SEVERAL: usize = 2;
 /// Names that are right leave less than this many times the floor.
 const MOST_OVER_THE_FLOOR: f64 = 1.5;
-
-/// So many likelier sets of names are held against what is said of them, likeliest first.
-const MOST_HELD_AGAINST: usize = 6;
 
 /// A size so many times as large as one that is implausible is no size of its effect: where much is left beside it,
 /// it stands for something else.
@@ -61,7 +57,7 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     }
     let model = &found.fit.model;
     let impossible = |term: &Term| is_beyond(&model.robot, term, IMPOSSIBLE);
-    let several = names >= SEVERAL || model.terms().iter().any(impossible);
+    let several = names >= 2 || model.terms().iter().any(impossible);
     // A search that ended early leaves what it had no time for: that says nothing of the base.
     if !several || regression.work.ended().is_some() {
         return;
@@ -97,7 +93,7 @@ fn likeliest(prepared: &PreparedSearch, mut fit: Fit) -> Fit {
         let goes_on = |_: &Rival| !regression.work.is_spent();
         let mut rivals = rivals
             .filter(above)
-            .take(MOST_HELD_AGAINST)
+            .take(budget::LISTED)
             .take_while(goes_on);
         let Some(likelier) = rivals.find_map(|r| stands(&r)) else {
             return fit;

@@ -3,7 +3,8 @@
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
-use crate::diagnosis::evidence::{FEW, chosen_again};
+use crate::diagnosis::evidence::chosen_again;
+use crate::fewest;
 use crate::fit::base_model;
 use crate::sessions::poses::ByPose;
 
@@ -16,7 +17,7 @@ pub(super) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     let regression = &prepared.regression;
     let rows = &regression.rows;
     let places = ByPose::of_places(&rows.inputs.q, rows.samples.len());
-    if !base_model::is_arm(prepared.problem.session) || places.first.len() >= FEW {
+    if !base_model::is_arm(prepared.problem.session) || places.first.len() >= fewest::TO_SCAN {
         return;
     }
     loop {

@@ -2,10 +2,8 @@
 //! reflector) are evidence of an effect of that condition, not accidents: a session with few
 //! samples from the other side must not lose just these.
 
+use crate::fewest;
 use crate::fit::problem::Problem;
-
-/// Fewer suspects than this may be accidents.
-const FEWEST: usize = 3;
 
 /// Puts suspects back that are more than half of their condition; `suspected` says it of what the
 /// problem counts.
@@ -29,7 +27,7 @@ pub(crate) fn keep(problem: &mut Problem, suspected: &[bool]) {
         order.sort_by_key(|i| of(*i));
         for class in order.chunk_by(|a, b| of(*a) == of(*b)) {
             let count = class.iter().filter(|i| suspected[**i]).count();
-            if class.len() < all && count >= FEWEST && 2 * count > class.len() {
+            if class.len() < all && count >= fewest::NO_ACCIDENT && 2 * count > class.len() {
                 for i in class {
                     back[*i] |= suspected[*i];
                 }

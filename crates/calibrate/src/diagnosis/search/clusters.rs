@@ -6,12 +6,11 @@ use std::cell::LazyCell;
 use std::collections::BTreeSet;
 
 use super::classes;
-use crate::fit::gap::{GROSS_SHARE, lengths_mm};
+use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::model::Model;
-
-/// So many in a row are no accident.
-const RUN: usize = 3;
+use crate::thresholds::GROSS_SHARE;
+use crate::{fewest, odds};
 
 /// Puts back what stands together.
 pub(super) fn keep(problem: &mut Problem, base: &Model) {
@@ -20,7 +19,7 @@ pub(super) fn keep(problem: &mut Problem, base: &Model) {
     let suspected: Vec<bool> = fit.iter().zip(counted).map(|(f, c)| *f && !c).collect();
     let chosen = |of: &[bool]| poses_of(problem, (0..of.len()).filter(|i| of[*i]));
     let [count, fitted] = [&suspected, &fit].map(|of| chosen(of));
-    if count < RUN {
+    if count < fewest::NO_ACCIDENT {
         return;
     }
     classes::keep(problem, &suspected);
@@ -34,7 +33,10 @@ pub(super) fn keep(problem: &mut Problem, base: &Model) {
             // So many in a row by accident: n·share^run.
             let own = poses_of(problem, run.iter().copied());
             let accident = fitted as f64 * share.powi(i32::try_from(own).unwrap_or(64));
-            if own >= RUN && accident < 0.01 && !is_gross(problem, &left_mm, &run) {
+            if own >= fewest::NO_ACCIDENT
+                && accident < odds::LIKELY.chance()
+                && !is_gross(problem, &left_mm, &run)
+            {
                 for index in run {
                     back[index] = true;
                 }

@@ -1,7 +1,6 @@
 //! The set of names that a search ends with, tested once more: each name against the rest, with the
 //! null of this very fit. A name that entered early may be worth nothing beside what came later.
 
-use super::forward::CHANCE_OF_A_STEP;
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
 use super::settle::needed;
@@ -10,9 +9,7 @@ use super::worth::worth;
 use super::{aliases, own_evidence};
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::{Cancelled, Progress, Watch};
-
-/// Logarithm of odds at which no other setting of a term passes for it in a part of the samples.
-const BEYOND_DOUBT: f64 = 40.0;
+use crate::odds;
 
 /// Takes out, worst first, every name that does not carry itself.
 pub(crate) fn test(
@@ -47,10 +44,10 @@ pub(crate) fn tested(
         // The first that does not carry itself is the worst of them: nothing is asked of the others.
         worths.sort_by(|a, b| a.0.ln_odds.total_cmp(&b.0.ln_odds));
         let worst = worths.into_iter().find_map(|(worth, term, useful)| {
-            let useful = useful && worth.ln_odds > BEYOND_DOUBT;
+            let useful = useful && worth.ln_odds > odds::BEYOND_DOUBT.nats();
             let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
             let improbable =
-                || regression.chance_in_noise(worth.minus_ln_p, &fit) > CHANCE_OF_A_STEP;
+                || regression.chance_in_noise(worth.minus_ln_p, &fit) > odds::TAKEN.chance();
             let useless = || !useful && prepared.folds.rms(regression, &worth.rest) <= unseen;
             (unlikely || improbable() || useless()).then_some(worth.rest)
         });

@@ -4,9 +4,10 @@
 use std::collections::BTreeSet;
 
 use crate::effects::Inputs;
-use crate::row_checks::returns::WORST_REPEATABILITY;
+use crate::fewest;
 use crate::sessions::Sigma;
 use crate::sessions::poses::ByPose;
+use crate::thresholds::GROSS_SHARE;
 
 use super::prepare::PreparedSearch;
 use crate::answers::diagnosis::{Floor, FloorFrom};
@@ -94,9 +95,6 @@ fn of_observations(prepared: &PreparedSearch, fit: &Fit, noise_mm: f64) -> Floor
     }
 }
 
-/// Fewest degrees of freedom from which repeats tell the noise.
-const FEWEST_REPEATS: usize = 8;
-
 /// What returns to the same pose tell of the noise.
 pub(crate) struct PureError {
     /// Root mean square length, mm; `None` where no length was measured again.
@@ -163,12 +161,12 @@ pub(crate) fn pure_error(prepared: &PreparedSearch) -> Option<PureError> {
         start = end;
     }
     let all = all as f64;
-    let mm = (of_lengths >= FEWEST_REPEATS).then(|| (sum / of_lengths as f64).sqrt());
+    let mm = (of_lengths >= fewest::TO_JUDGE).then(|| (sum / of_lengths as f64).sqrt());
     // What is farther apart is no return: the commands are not the robot's.
-    let worst_mm = WORST_REPEATABILITY * prepared.problem.session.robot.reach_mm();
+    let worst_mm = GROSS_SHARE * prepared.problem.session.robot.reach_mm();
     let are_returns = mm.is_none_or(|mm| mm <= worst_mm);
     let of_poses = returned_poses(inputs).map(|count| (rows.axes.len() * count) as f64);
-    (freedom >= FEWEST_REPEATS && are_returns).then(|| PureError {
+    (freedom >= fewest::TO_JUDGE && are_returns).then(|| PureError {
         mm,
         variance: weighted / all,
         freedom: of_poses.map_or(all, |of_poses| all.min(of_poses)),

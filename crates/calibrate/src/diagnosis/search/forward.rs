@@ -3,10 +3,12 @@
 //! and names are preferred: a shape has to be twenty times likelier than what names can do.
 //!
 //! A step is taken if noise alone would lead the whole search to as small a p in fewer than
-//! [`CHANCE_OF_A_STEP`] of all sessions, if samples that the fit has not seen are predicted better, and if
+//! [`odds::TAKEN`] of all sessions, if samples that the fit has not seen are predicted better, and if
 //! the effect matters in practice.
 
+use crate::diagnosis::evidence::{Fit, Folds, KEPT, Regression, Score, by_odds};
 use crate::effects::Term;
+use crate::odds;
 
 use super::aliases;
 use super::found::SearchResult;
@@ -14,26 +16,15 @@ use super::prepare::PreparedSearch;
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::compatible;
 use crate::diagnosis::candidates::table::CandidateKind;
-use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::Folds;
-use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::memo::Memo;
-use crate::diagnosis::evidence::{Score, by_odds};
 use crate::diagnosis::{Cancelled, DiagnoseError, Progress, Watch};
 
-/// Chance that noise alone may lead to a step. Names and shapes share it, and a search takes a
-/// step for each effect that is there: with 1 in 500 a right answer gets a wrong addition in less
-/// than one session of a hundred with three effects, and most of the one in a hundred for false
-/// alarms is left for what a simulation does not know of (tails, drifts, correlation).
-pub(crate) const CHANCE_OF_A_STEP: f64 = 0.002;
 /// An effect matters if its root mean square is above this share of the noise, a tenth of its variance (0.3² ≈ 0.1), …
 const LEAST_OF_NOISE: f64 = 0.3;
 /// … or above this share of the tolerance.
 const LEAST_OF_TOLERANCE: f64 = 0.1;
 /// An effect below this is rounding, mm.
 const LEAST_MM: f64 = 2e-5;
-/// Fits of which the error on unseen samples is kept.
-const UNSEEN_KEPT: usize = 64;
 
 /// What may be added in a pass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -164,7 +155,7 @@ impl Search<'_, '_> {
             let found = score.minus_ln_p;
             if self
                 .regression
-                .reached_by_noise(found, CHANCE_OF_A_STEP, &next)
+                .reached_by_noise(found, odds::TAKEN.chance(), &next)
             {
                 continue;
             }
@@ -195,7 +186,7 @@ impl Search<'_, '_> {
                 .fold(fit.model.clone(), |m, t| m.with_term(t.clone()));
             Some(regression.fit(&model, &fit.shapes))
         });
-        let least = -CHANCE_OF_A_STEP.ln();
+        let least = -odds::TAKEN.chance().ln();
         let proven = fits.filter(|next| {
             next.ln_evidence > fit.ln_evidence + least
                 && self.matters(fit.rss - next.rss, fit)
@@ -210,7 +201,7 @@ impl Search<'_, '_> {
         if allow != Additions::Names || self.count(fit) + 2 > self.most {
             return None;
         }
-        let least = -CHANCE_OF_A_STEP.ln();
+        let least = -odds::TAKEN.chance().ln();
         let mut pairs = aliases::with_pairs(self.regression, fit, least);
         pairs.find(|next| {
             next.ln_evidence > fit.ln_evidence + least
@@ -301,14 +292,14 @@ impl<'a> PreparedSearch<'a> {
             folds: &self.folds,
             most: self.cap(),
             watch,
-            unseen: Memo::new(UNSEEN_KEPT),
+            unseen: Memo::new(KEPT),
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Additions, Search, UNSEEN_KEPT, by_odds};
+    use super::{Additions, KEPT, Search, by_odds};
     use crate::diagnosis::Options;
     use crate::diagnosis::evidence::memo::Memo;
     use crate::diagnosis::search::prepare::PreparedSearch;
@@ -355,7 +346,7 @@ mod tests {
             folds: &prepared.folds,
             most: 5,
             watch: &|_| true,
-            unseen: Memo::new(UNSEEN_KEPT),
+            unseen: Memo::new(KEPT),
         };
         let base = regression.fit(&regression.base, &[]);
         let mut scores = regression.scan(&base, Additions::Names.among());

@@ -11,37 +11,28 @@ use std::collections::BTreeMap;
 use nalgebra::DMatrix;
 
 use crate::decompose::eigen;
+use crate::diagnosis::rest::joint::{MOST_IN_A_PERIOD, MOST_KNOTS};
 use crate::effects::survey::ENOUGH;
 use crate::effects::{Over, Setting, Term};
 use crate::linear::reject_all;
 use crate::model::Model;
+use crate::{fewest, odds};
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
 use crate::diagnosis::candidates::Placed;
-use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
-use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::Regression;
-use crate::diagnosis::evidence::rival::UNDECIDED;
+use crate::diagnosis::evidence::{EFFECT_PRIOR_PENALTY, Fit, Regression};
 use crate::diagnosis::rest::joint::free_curve;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// What the curve pays: as a name for being there, and a factor of e for each of its numbers (length,
 /// size, roughness). Names are as many as they are; no further preference is needed.
 const PRICE: f64 = EFFECT_PRIOR_PENALTY + 3.0;
-/// The names that a curve may stand for are at least so many columns: fewer are simpler than a curve.
-const FEWEST_COLUMNS: usize = 3;
-/// So many names are as much as a curve, where neither can be ruled out.
-const FEWEST_NAMES: usize = 3;
 /// Waves over the range from which on a name is not smooth.
 const FEW_WAVES: f64 = 3.0;
-/// Pieces of the curve that takes the names' place in the fit, at most.
-const MOST_PIECES: usize = 60;
 /// Shares of the range within which a pull at its ends falls to 1/e: cables and hoses are bent there, and the farther
 /// the stiffer.
 const PULLS: [f64; 6] = [0.05, 0.07, 0.1, 0.14, 0.2, 0.28];
-/// Pieces that are enough for the shortest of them.
-const PIECES_OF_PULLS: usize = 24;
 
 /// A model with the likeliest curve over a joint beside it, or with none.
 struct BesideCurve {
@@ -78,7 +69,7 @@ impl BesideCurve {
         let curve = free_curve(&regression.problem, &regression.noise, model, joint);
         let curve = curve.map(|curve| Curve {
             ln_odds: curve.ln_odds,
-            pieces: curve.freedom.clamp(4, MOST_PIECES),
+            pieces: curve.freedom.clamp(fewest::OF_A_PART, MOST_KNOTS - 1),
             direction: direction(curve.direction),
         });
         let single = prepared.survey.joints.len() == 1;
@@ -116,14 +107,16 @@ impl BesideCurve {
 /// ```
 fn pulled_at_its_ends(regression: &Regression, rest: &Fit, joint: usize) -> Option<Curve> {
     let direction = Direction::Tangential(joint);
-    let free = regression.placed(over(joint, direction, MOST_PIECES)).white;
+    let free = regression
+        .placed(over(joint, direction, MOST_KNOTS - 1))
+        .white;
     // One unit of the curve moves a sample by one unit of its noise, in the mean.
     let samples = regression.rows.samples.len().max(1) as f64;
     let unit = free.column_sum().norm_squared().max(free.norm_squared()) / samples;
     let (total, m) = (regression.rounded(rest.rss), regression.m());
     let of_length = |length: f64| {
-        let root = DMatrix::from_fn(MOST_PIECES + 1, 2, |row, end| {
-            let from_low = row as f64 / MOST_PIECES as f64;
+        let root = DMatrix::from_fn(MOST_KNOTS, 2, |row, end| {
+            let from_low = row as f64 / (MOST_KNOTS - 1) as f64;
             let away = if end == 0 { from_low } else { 1.0 - from_low };
             (-away / length).exp()
         });
@@ -151,7 +144,7 @@ fn pulled_at_its_ends(regression: &Regression, rest: &Fit, joint: usize) -> Opti
         .fold(f64::NEG_INFINITY, f64::max);
     (unit > 0.0).then_some(Curve {
         ln_odds: best,
-        pieces: PIECES_OF_PULLS,
+        pieces: MOST_IN_A_PERIOD,
         direction,
     })
 }
@@ -216,12 +209,12 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_
         let mut likeliest = None;
         while !names.is_empty() {
             let mut sets = Vec::new();
-            if has_shape || columns(&names) >= FEWEST_COLUMNS {
+            if has_shape || columns(&names) >= fewest::NO_ACCIDENT {
                 sets.push(names.clone());
             }
             if single {
                 let slow = slow(prepared, &names, joint);
-                sets.extend((columns(&slow) >= FEWEST_COLUMNS).then_some(slow));
+                sets.extend((columns(&slow) >= fewest::NO_ACCIDENT).then_some(slow));
             }
             if one_by_one {
                 sets.extend(names.iter().map(|name| vec![name.clone()]));
@@ -270,12 +263,12 @@ pub(crate) fn as_likely(prepared: &PreparedSearch, fit: &Fit) -> Option<(usize, 
     let of_joint = |joint: usize| {
         let (names, kept) = over_joint(prepared, fit, joint);
         let names = slow(prepared, &names, joint);
-        let is_open = names.len() >= FEWEST_NAMES && kept.len() == fit.shapes.len();
+        let is_open = names.len() >= fewest::NO_ACCIDENT && kept.len() == fit.shapes.len();
         let odds = || ln_odds(prepared, fit, joint, &names);
         is_open.then(odds).map(|odds| (odds, (joint, names)))
     };
     let all = (0..prepared.survey.joints.len()).filter_map(of_joint);
-    let likely = all.filter(|own| own.0 > -UNDECIDED);
+    let likely = all.filter(|own| own.0 > -odds::OPEN.nats());
     let best = likely.max_by(|a, b| a.0.total_cmp(&b.0));
     best.map(|own| own.1)
 }
@@ -485,7 +478,7 @@ mod tests {
     fn a_pull_of_cables_is_more_of_a_curve_than_three_names() {
         let pull = |q: f64| 0.06 * ((q - 170.0) / 30.0).exp() - 0.05 * ((-170.0 - q) / 45.0).exp();
         let session = axis("", pull);
-        assert!(odds(&session) > -UNDECIDED, "{}", odds(&session));
+        assert!(odds(&session) > -odds::OPEN.nats(), "{}", odds(&session));
     }
 
     #[test]
@@ -499,6 +492,6 @@ mod tests {
             of(NAMES[2], r#""amplitude_deg":0.02,"phase_deg":110"#),
         ];
         let session = axis(&effects.join(","), |_| 0.0);
-        assert!(odds(&session) < -UNDECIDED, "{}", odds(&session));
+        assert!(odds(&session) < -odds::OPEN.nats(), "{}", odds(&session));
     }
 }

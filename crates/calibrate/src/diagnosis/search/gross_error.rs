@@ -5,7 +5,7 @@
 use super::base_misfit::left_mm;
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
-use crate::fit::gap::GROSS_SHARE;
+use crate::thresholds::GROSS_SHARE;
 
 /// Withdraws every name where the error with them is gross.
 pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {

@@ -17,17 +17,11 @@ use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::linear::{Basis, gram, reject_all};
 use crate::model::Model;
+use crate::{budget, rounding};
 
 use crate::diagnosis::candidates::table::Candidate;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
-
-/// So many rounds over all orders at most.
-const ROUNDS: usize = 3;
-/// So many samples tell how sure an order is.
-const MOST_SAMPLES: usize = 1500;
-/// Step of an order over which the change of the rows is taken.
-const BY: f64 = 1e-4;
 
 fn takes_fractions(term: &Term) -> bool {
     term.effect.about().setting.takes_fractions()
@@ -57,7 +51,7 @@ pub(crate) fn together(regression: &Regression, fit: Fit) -> Fit {
             best = next;
         }
     }
-    for _ in 0..ROUNDS {
+    for _ in 0..budget::ROUNDS {
         let before = best.ln_evidence;
         for term in orders(&best) {
             let rest = regression.without_term(&best, &term);
@@ -208,7 +202,7 @@ impl OrderSpread {
         if orders.is_empty() {
             return None;
         }
-        let part = problem.thinned(MOST_SAMPLES);
+        let part = problem.thinned(budget::SAMPLES);
         let rows = Rows::of(&part).seen_by(model);
         let moved = |order: &Term, by: f64| {
             let terms = model.terms().iter().map(|t| Term {
@@ -226,7 +220,8 @@ impl OrderSpread {
         let mut free = DMatrix::zeros(rows.len(), orders.len());
         let mut along = DMatrix::zeros(columns.ncols(), orders.len());
         for (k, order) in orders.iter().enumerate() {
-            let change = (moved(order, -BY) - moved(order, BY)) / (2.0 * BY);
+            let change = (moved(order, -rounding::DIFFERENCE) - moved(order, rounding::DIFFERENCE))
+                / (2.0 * rounding::DIFFERENCE);
             let change = noise.whitened_vector(&rows, &change);
             along.set_column(k, &basis.solve(&change));
             free.set_column(k, &basis.reject(&change));

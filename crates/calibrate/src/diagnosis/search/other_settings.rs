@@ -5,19 +5,13 @@
 //! Nothing is assumed of the steps: every setting of the name is tried in its place, so that nearly equal
 //! steps, half of a turn or several grids at once count as what they are.
 
+use crate::diagnosis::evidence::NEIGHBOURS;
+use crate::diagnosis::evidence::{Fit, MOST_SETTINGS, Regression};
 use crate::effects::{Setting, Term};
+use crate::{odds, steps};
 
 use crate::diagnosis::candidates::columns::CandidateSubset;
-use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::evidence::Regression;
-use crate::diagnosis::evidence::rival::{Rival, UNDECIDED};
-
-/// Orders closer than this are one order and its interval.
-const NEIGHBOURS: f64 = 1.5;
-/// The same of other settings, as a share.
-const ALIKE: f64 = 0.02;
-/// Settings of one name that are refitted.
-const MOST: usize = 40;
+use crate::diagnosis::evidence::rival::Rival;
 
 /// Whether a term comes round with a setting: of others, as the time of a step, neighbours are an interval.
 pub(super) fn comes_round(term: &Term) -> bool {
@@ -34,7 +28,7 @@ pub(crate) fn at_another_setting(one: &Term, other: &Term) -> bool {
     comes_round(one)
         && match one.effect.about().setting {
             Setting::Order { .. } => apart > NEIGHBOURS,
-            _ => apart > ALIKE * one.setting.abs(),
+            _ => apart > steps::EQUAL * one.setting.abs(),
         }
 }
 
@@ -51,7 +45,7 @@ pub(crate) fn open_settings(regression: &Regression, fit: &Fit) -> Vec<Rival> {
 fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
     let rest = regression.without_term(fit, term);
     let there = regression.added(&rest);
-    let enough = fit.ln_evidence - UNDECIDED - rest.ln_evidence;
+    let enough = fit.ln_evidence - odds::OPEN.nats() - rest.ln_evidence;
     let mut close: Vec<(f64, &Term)> = regression
         .scan(&rest, CandidateSubset::Names)
         .iter()
@@ -70,13 +64,16 @@ fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
             .total_cmp(&key(a.0))
             .then(a.1.setting.total_cmp(&b.1.setting))
     });
-    let refitted = close.into_iter().take(MOST).map(|(_, other)| Rival {
-        removed: vec![term.clone()],
-        instead: vec![other.clone()],
-        fit: regression.fit(&rest.model.with_term(other.clone()), &rest.shapes),
-    });
+    let refitted = close
+        .into_iter()
+        .take(MOST_SETTINGS)
+        .map(|(_, other)| Rival {
+            removed: vec![term.clone()],
+            instead: vec![other.clone()],
+            fit: regression.fit(&rest.model.with_term(other.clone()), &rest.shapes),
+        });
     refitted
-        .filter(|r| r.fit.ln_evidence > fit.ln_evidence - UNDECIDED)
+        .filter(|r| r.fit.ln_evidence > fit.ln_evidence - odds::OPEN.nats())
         .collect()
 }
 

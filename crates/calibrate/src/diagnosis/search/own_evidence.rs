@@ -7,12 +7,12 @@
 
 use nalgebra::DMatrix;
 
-use super::forward::CHANCE_OF_A_STEP;
 use super::prepare::PreparedSearch;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Significance;
 use crate::effects::Term;
 use crate::linear::Basis;
+use crate::odds;
 
 /// How much less is taken to be known of the geometry: no robot is ten times as far off as others are.
 const LESS: f64 = 0.1;
@@ -70,7 +70,7 @@ pub(super) fn least_proven(prepared: &PreparedSearch, fit: &Fit) -> Option<Term>
             if together.len() > 1 {
                 minus_ln_p = minus_ln_p.max(of(&places(fit, &together)));
             }
-            let unproven = regression.chance_in_noise(minus_ln_p, fit) > CHANCE_OF_A_STEP;
+            let unproven = regression.chance_in_noise(minus_ln_p, fit) > odds::TAKEN.chance();
             if unproven && least.as_ref().is_none_or(|least| minus_ln_p < least.0) {
                 least = Some((minus_ln_p, term.clone()));
             }

@@ -2,6 +2,7 @@
 
 use crate::effects::{Owner, Term};
 use crate::fit::noise::Noise;
+use crate::odds;
 use crate::sessions::Session;
 use crate::set_up_errors;
 use crate::set_up_errors::CorrectedSession;
@@ -10,7 +11,6 @@ use super::found::SearchResult;
 use super::prepare::PreparedSearch;
 use super::{base_misfit, chosen_again, final_set, free_curve, gross_error, slowest};
 use crate::diagnosis::error::DiagnoseError;
-use crate::diagnosis::evidence::rival;
 use crate::diagnosis::evidence::{FIRST_SEARCH, OTHER_SETS, RIVALS, SECOND_SEARCH, Work};
 use crate::diagnosis::options::Options;
 use crate::diagnosis::progress::{Cancelled, Progress, Watch};
@@ -188,7 +188,7 @@ fn against_rivals<'a>(
             (prepared, found) = (white, curve);
         }
     }
-    let least = found.fit.ln_evidence - rival::UNDECIDED;
+    let least = found.fit.ln_evidence - odds::OPEN.nats();
     others.retain(|other| other.shapes.is_empty() && other.ln_evidence > least);
     found.other_ends = others;
     Ok((prepared, found))
@@ -202,7 +202,7 @@ fn standing(prepared: &PreparedSearch, end: &SearchResult) -> f64 {
     let of_the_frame = |t: &&Term| t.effect.about().owner == Owner::Session;
     let only = !names.is_empty() && names.iter().all(of_the_frame);
     let favour = prepared.regression.noise.slow.is_none() && only && end.fit.shapes.is_empty();
-    end.fit.ln_evidence + if favour { rival::UNDECIDED } else { 0.0 }
+    end.fit.ln_evidence + if favour { odds::OPEN.nats() } else { 0.0 }
 }
 
 /// A search whose noise is estimated beside what it finds, until that is the same, or one that was searched

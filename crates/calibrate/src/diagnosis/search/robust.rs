@@ -17,22 +17,19 @@ use std::collections::BTreeSet;
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::distributions::CHI_MEDIANS;
+use crate::effects::place::MOST;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::linear::{Basis, cross, solve_lower};
 use crate::observations::figures::outlying;
 use crate::observations::outliers::suspected;
 use crate::sessions::poses::ByPose;
+use crate::thresholds::HALF;
+use crate::{fewest, rounding};
 
 use crate::diagnosis::evidence::Regression;
 
-/// With fewer samples there are no many columns to fit.
-const FEWEST: usize = 20;
-/// The columns are too many where they are more than this share of the rows. (Derived: the mean leverage is then above
-/// ½, a fit follows most of whatever stands apart, and good poses stand apart from that.)
-const MOST_OF_ROWS: f64 = 0.5;
-/// Rows by which a pose that is measured in any number of ways tells where a body is.
-const ROWS_OF_A_BODY: usize = 6;
 /// Rounds of each kind of weights.
 const ROUNDS: [usize; 2] = [3, 6];
 /// Huber's and Tukey's constants for three axes: the 95 % and 99.9 % points of χ.
@@ -50,7 +47,7 @@ pub(crate) fn suspected_beside_many(
     all.thin(most);
     let rows = Rows::of(&all);
     let n = rows.samples.len();
-    if n < FEWEST {
+    if n < fewest::TO_SEARCH {
         return Vec::new();
     }
     // The columns are needed for the suspected samples as well.
@@ -69,7 +66,9 @@ pub(crate) fn suspected_beside_many(
     let axes = rows.axes.len();
     let places = ByPose::of_places(&rows.inputs.q, n);
     let share = places.shares();
-    if q.ncols() as f64 > MOST_OF_ROWS * independent_rows(&rows, &places) as f64 {
+    // With more columns than half of the rows the mean leverage is above ½, a fit follows most of whatever stands apart, and
+    // good poses stand apart from that.
+    if q.ncols() as f64 > HALF * independent_rows(&rows, &places) as f64 {
         return Vec::new();
     }
     let mut weights = vec![1.0; n];
@@ -93,11 +92,11 @@ pub(crate) fn suspected_beside_many(
             let mut sorted = lengths.clone();
             let (_, median, _) = sorted.select_nth_unstable_by(n / 2, f64::total_cmp);
             // The median length of three axes is 1.54 standard deviations.
-            let scale = (*median / 1.54).max(1e-9);
+            let scale = (*median / CHI_MEDIANS[2]).max(rounding::WRITTEN);
             for (w, length) in weights.iter_mut().zip(&lengths) {
                 let z = length / (scale * TUNING[stage]);
                 *w = match stage {
-                    0 => (1.0 / z.max(1e-9)).min(1.0),
+                    0 => (1.0 / z.max(f64::MIN_POSITIVE)).min(1.0),
                     _ if z < 1.0 => (1.0 - z * z).powi(2),
                     _ => 0.0,
                 };
@@ -144,7 +143,7 @@ fn independent_rows(rows: &Rows, places: &ByPose) -> usize {
         let observed = rows.observed();
         observed.map_or(rows.axes.len(), |o| o.layer().items[i].rows)
     };
-    let of_pose = |pose: Vec<usize>| pose.into_iter().map(own).sum::<usize>().min(ROWS_OF_A_BODY);
+    let of_pose = |pose: Vec<usize>| pose.into_iter().map(own).sum::<usize>().min(MOST);
     places.samples().into_iter().map(of_pose).sum()
 }
 
@@ -188,16 +187,13 @@ fn not_acquitted(
     condemned
 }
 
-/// The median length of so many coordinates, in standard deviations.
-const MEDIANS: [f64; 3] = [0.674_5, 1.177, 1.54];
-
 /// By how much the length of an observation with fewer rows than three is as rare as that of three.
 fn as_of_three(rows: &Rows, observation: usize) -> f64 {
     let Some(observed) = rows.observed() else {
         return 1.0;
     };
     let own = observed.layer().items[observation].rows;
-    MEDIANS[2] / MEDIANS[own.clamp(1, 3) - 1]
+    CHI_MEDIANS[2] / CHI_MEDIANS[own.clamp(1, 3) - 1]
 }
 
 /// A weighted fit.

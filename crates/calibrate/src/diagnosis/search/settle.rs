@@ -13,16 +13,15 @@ use crate::diagnosis::evidence::{Score, by_odds};
 use crate::diagnosis::evidence::{Surroundings, Without};
 use crate::effects::{Over, Term};
 use crate::model::shapes::Variable;
+use crate::odds;
 
-/// What a scan says may be so much too little: settings are fitted finely before they are judged.
-const NEAR: f64 = 3.0;
 /// So far off may log-odds be that are known to first order …
 const FIRST_ORDER: f64 = 2.0;
 /// … and a fall of the sum of squares is at least this share of what it is to first order.
 const SURELY: f64 = 0.8;
 /// Log-odds by which a term has to be needed beside the others.
 /// Calibrated, as the two below (`hidden_effects unknown`, `strange`).
-const NEEDED: f64 = 1.0;
+pub(crate) const NEEDED: f64 = 1.0;
 /// Beside a shape a name has to be needed clearly, or it only mends the shape's edges …
 const NEEDED_BESIDE_A_SHAPE: f64 = 5.0;
 /// … and more so where both follow the value of the same joint: what is unknown there may have any
@@ -114,7 +113,7 @@ impl Search<'_, '_> {
         };
         let around = around.get_or_insert_with(|| regression.surroundings(fit, allow.among()));
         let scores = regression.scan_without(around, &without);
-        let enough = fit.ln_evidence - NEAR - FIRST_ORDER - without.ln_evidence;
+        let enough = fit.ln_evidence - odds::OPEN.nats() - FIRST_ORDER - without.ln_evidence;
         let candidates = &regression.table.candidates;
         let other = |s: &Score| s.ln_odds > enough && !is_own(&candidates[s.candidate]);
         scores.into_iter().filter(other).collect()
@@ -127,7 +126,7 @@ impl Search<'_, '_> {
         allow: Additions,
         than: f64,
     ) -> Option<Fit> {
-        scores.retain(|s| rest.ln_evidence + s.ln_odds > than - NEAR - FIRST_ORDER);
+        scores.retain(|s| rest.ln_evidence + s.ln_odds > than - odds::OPEN.nats() - FIRST_ORDER);
         self.retain_compatible(rest, allow, &mut scores);
         by_odds(&mut scores);
         let mut best: Option<Fit> = None;

@@ -11,17 +11,14 @@
 use std::f64::consts::TAU;
 
 use crate::effects::{Setting, Term};
+use crate::{odds, rounding};
 
 use super::found::SearchResult;
 use super::other_settings::comes_round;
 use super::prepare::PreparedSearch;
-use crate::diagnosis::evidence::rival::UNDECIDED;
 use crate::diagnosis::evidence::{Fit, Regression};
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 use crate::steps::step_of;
-
-/// Settings closer than this share of a step of the scan are one.
-const SAME: f64 = 1e-6;
 
 /// Puts the slowest reading in the place of each wave.
 pub(crate) fn readings(prepared: &PreparedSearch, found: &mut SearchResult) {
@@ -41,7 +38,7 @@ pub(crate) fn readings(prepared: &PreparedSearch, found: &mut SearchResult) {
             let other = regression.refined_order(&rest, &other);
             let model = rest.model.with_term(other);
             let fit = regression.fit(&model, &rest.shapes);
-            if fit.ln_evidence > found.fit.ln_evidence - UNDECIDED {
+            if fit.ln_evidence > found.fit.ln_evidence - odds::OPEN.nats() {
                 found.fit = fit;
             }
             continue;
@@ -49,7 +46,7 @@ pub(crate) fn readings(prepared: &PreparedSearch, found: &mut SearchResult) {
         let fit = slower.as_shape(regression, &rest, &term);
         // The steps are nearly equal, and part the readings.
         let same = 0.5 * regression.m() * (fit.rss / found.fit.rss.max(f64::MIN_POSITIVE)).ln();
-        if same < UNDECIDED {
+        if same < odds::OPEN.nats() {
             found.fit = fit;
             found.withdrawn.push(term);
         }
@@ -75,7 +72,7 @@ impl Slower {
         let step = step_of(&regression.rows.inputs.q[term.joint])?;
         let per_step = own * step;
         let frequency = (per_step - per_step.round()).abs() / step;
-        (frequency < own * (1.0 - SAME)).then_some(Self { frequency })
+        (frequency < own * (1.0 - rounding::WRITTEN)).then_some(Self { frequency })
     }
 
     /// The same name at that setting, where it has it.
@@ -96,7 +93,7 @@ impl Slower {
         let is = |other: &&Term| {
             other.effect.about().id == term.effect.about().id
                 && other.joint == term.joint
-                && (other.setting * self.frequency - 1.0).abs() < SAME
+                && (other.setting * self.frequency - 1.0).abs() < rounding::WRITTEN
         };
         names.find(is).cloned()
     }

@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::effects::Term;
+use crate::{budget, odds};
 
 use super::prepare::PreparedSearch;
 use super::worth::Worth;
@@ -11,9 +12,6 @@ use crate::diagnosis::candidates::compatible;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::linear::{Basis, reject_all};
-
-/// Within so much, as a logarithm, of the next name that one is refitted before they are compared.
-const CLOSE: f64 = 6.0;
 
 /// One effect more, in the order of what each adds.
 pub(crate) struct Step {
@@ -67,9 +65,6 @@ pub(crate) fn steps(prepared: &PreparedSearch, base: &Fit, fit: &Fit) -> Vec<Ste
     steps
 }
 
-/// Of many terms only so many are fitted before one is chosen.
-const FITTED: usize = 3;
-
 /// Places of the terms that may be the likeliest beside a fit with the fewer of them, by their columns in the fit
 /// with all.
 fn likeliest(
@@ -79,7 +74,7 @@ fn likeliest(
     left: &[Term],
 ) -> Vec<usize> {
     let mut places: Vec<usize> = (0..left.len()).collect();
-    if left.len() <= FITTED {
+    if left.len() <= budget::LIKELIEST {
         return places;
     }
     let worth = |term: &Term| {
@@ -104,7 +99,7 @@ fn likeliest(
     };
     let worths: Vec<f64> = left.iter().map(worth).collect();
     places.sort_by(|a, b| worths[*b].total_cmp(&worths[*a]).then(a.cmp(b)));
-    places.truncate(FITTED);
+    places.truncate(budget::LIKELIEST);
     places.sort_unstable();
     places
 }
@@ -145,7 +140,7 @@ impl Next {
         });
         let (ln_odds, other) = others.max_by(|a, b| a.0.total_cmp(&b.0))?;
         // Where it is close it is refitted, as the name itself was.
-        let fit = (worth.ln_odds - ln_odds < CLOSE).then(|| {
+        let fit = (worth.ln_odds - ln_odds < odds::TAKEN.nats()).then(|| {
             let model = worth.rest.model.with_term(other.clone());
             regression.fit(&model, &worth.rest.shapes)
         });

@@ -7,6 +7,7 @@ use crate::fit::expected::expected_error;
 use crate::model::SetUp;
 use crate::observations::KINDS;
 use crate::observations::figures::KindFigures;
+use crate::odds;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
 
@@ -24,7 +25,6 @@ use crate::answers::identification::Identification;
 use crate::answers::noise::Noise;
 use crate::answers::pose::to_raw;
 use crate::diagnosis::evidence::Fit;
-use crate::diagnosis::search::CHANCE_OF_A_STEP;
 use crate::diagnosis::search::SearchResult as SearchEnd;
 use crate::diagnosis::search::floor;
 use crate::diagnosis::search::prepare::PreparedSearch;
@@ -210,7 +210,7 @@ fn tell_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Sessi
     );
     unexplained.description = behind(says, std::mem::take(&mut unexplained.description));
     unexplained.present = true;
-    unexplained.p = unexplained.p.min(CHANCE_OF_A_STEP);
+    unexplained.p = unexplained.p.min(odds::TAKEN.chance());
     unexplained.resembles.extend(names);
 }
 

@@ -14,14 +14,11 @@ use crate::fit::problem::Problem;
 use crate::fit::ranges::{along_joint, over_the_ranges};
 use crate::fit::spread::spread;
 use crate::model::{Model, Positions};
+use crate::{budget, thresholds};
 
-/// So many times as large as at any sample is far.
-const FAR: f64 = 5.0;
 /// Parts that are so many times as large as their sum cancel each other.
 /// A model whose names do that at the samples, while their sum is far elsewhere, is not right there.
 const CANCEL: f64 = 3.0;
-/// Samples that are looked at.
-const MOST_SAMPLES: usize = 1000;
 
 /// How far the names of a model of several joints lead over the joint ranges, and at the samples, mm, where
 /// they run away; `None` where they do not.
@@ -29,7 +26,9 @@ pub(crate) fn runs_away(problem: &Problem, model: &Model) -> Option<[f64; 2]> {
     if model.robot.joints.len() < 2 || problem.used.is_empty() {
         return None;
     }
-    let measured = problem.inputs.select(&spread(&problem.used, MOST_SAMPLES));
+    let measured = problem
+        .inputs
+        .select(&spread(&problem.used, budget::SAMPLES));
     let here = TermDisplacements::of(model, &measured);
     if here.parts_mm <= CANCEL * here.together_mm {
         return None;
@@ -37,7 +36,7 @@ pub(crate) fn runs_away(problem: &Problem, model: &Model) -> Option<[f64; 2]> {
     let ranges = TermDisplacements::of(model, &over_the_ranges(problem));
     let home = TermDisplacements::of(model, &along_joint(problem, &[0.0]));
     let most = ranges.largest_mm.max(home.largest_mm);
-    (most > FAR * here.largest_mm).then_some([most, here.largest_mm])
+    (most > thresholds::FAR * here.largest_mm).then_some([most, here.largest_mm])
 }
 
 /// What names do at some poses.

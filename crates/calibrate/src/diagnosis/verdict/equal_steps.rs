@@ -64,7 +64,7 @@ fn step_in_words(prepared: &PreparedSearch, joint: usize) -> Option<String> {
     Some(format!("{:.3}{}", kind.to_display(step), kind.sign()))
 }
 
-/// Orders of a gear that are listed.
+/// Orders of a gear that are listed: those around two turns of the steps.
 const LISTED: usize = 4;
 
 /// Orders of a gear that look like a wave of this term at the equal steps of its joint, and the step in rad. No

@@ -2,18 +2,10 @@
 
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// More than this many times the floor is not the floor …
-pub(crate) const MOST_OVER_THE_FLOOR: f64 = 1.15;
+use crate::{odds, thresholds};
 
-/// … unless so few samples show it that noise does as much in one session of so many.
-/// Calibrated, as the two below (`hidden_effects verdict`): no false flag in 160 sessions; 3 %
-/// are the digits of a stated σ.
-const CHANCE_OF_A_RATIO: f64 = 0.01;
-
-/// A smaller excess counts from this chance on …
-const CHANCE_OF_AN_EXCESS: f64 = 0.001;
-
-/// … if it is above the digits that a stated σ has.
+/// A smaller excess counts where noise does as much in one session of a thousand, if it is above the digits that a stated
+/// σ has, 3 %.
 const LEAST_EXCESS: f64 = 1.03;
 
 /// How what is left compares with the floor.
@@ -29,8 +21,8 @@ pub(crate) struct Excess {
 
 impl Excess {
     pub(super) fn is_more_than_noise(&self) -> bool {
-        self.ratio > MOST_OVER_THE_FLOOR && self.p < CHANCE_OF_A_RATIO
-            || self.ratio > LEAST_EXCESS && self.p < CHANCE_OF_AN_EXCESS
+        self.ratio > thresholds::NOTICEABLE && self.p < odds::LIKELY.chance()
+            || self.ratio > LEAST_EXCESS && self.p < odds::CLEAR.chance()
     }
 }
 

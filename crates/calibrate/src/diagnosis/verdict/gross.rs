@@ -6,11 +6,11 @@ use crate::answers::diagnosis::{Floor, Gaps};
 use crate::answers::identification::Identification;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::{is_gross, size_mm};
-use crate::fit::gap::GROSS_TURN_RAD;
 use crate::observations::kind_in_words;
 use crate::sessions::SessionCorrection;
 use crate::set_up_errors::DataProblem;
 use crate::text::{Text, length};
+use crate::thresholds::GROSS_TURN_RAD;
 
 /// What is beyond the gate, in words.
 pub(super) fn beyond_noise(

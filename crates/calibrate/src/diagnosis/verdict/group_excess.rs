@@ -4,11 +4,7 @@
 use super::excess::excess_of;
 use crate::model::shapes::Where;
 use crate::sessions::{Group, Session};
-
-/// With fewer samples a group shows nothing.
-const FEWEST: usize = 5;
-/// Chance of as much in any group, from noise alone.
-const CHANCE_OF_A_GROUP: f64 = 0.001;
+use crate::{fewest, odds};
 
 /// The group of which it is, from its first sample to its last (counted from 1), where it is of one. `lengths_mm` is
 /// what every sample leaves.
@@ -25,7 +21,7 @@ pub(crate) fn place(session: &Session, lengths_mm: &[f64]) -> Option<Where> {
                 });
                 let squares: Vec<f64> = own.map(|i| lengths_mm[i].powi(2)).collect();
                 let n = squares.len();
-                (n >= FEWEST).then(|| (squares.iter().sum::<f64>() / n as f64, n as f64))
+                (n >= fewest::OF_A_PART).then(|| (squares.iter().sum::<f64>() / n as f64, n as f64))
             };
             let (Some(own), Some(others)) = (mean_square(true), mean_square(false)) else {
                 continue;
@@ -38,7 +34,7 @@ pub(crate) fn place(session: &Session, lengths_mm: &[f64]) -> Option<Where> {
             }
         }
     }
-    let (_, group, index) = best.filter(|best| best.0 * tried < CHANCE_OF_A_GROUP)?;
+    let (_, group, index) = best.filter(|best| best.0 * tried < odds::CLEAR.chance())?;
     let rows: Vec<usize> = known()
         .filter(|i| group.of(session, *i) == Some(index))
         .collect();

@@ -10,25 +10,26 @@
 //! S and s² are of the white part of the noise: a frame that wanders is an answer of its own and
 //! leaves the verdict as it is.
 
+use crate::diagnosis::evidence::SMALLEST;
 use crate::distributions::f_tail;
 use crate::effects::called;
 use crate::sessions::Sigma;
 use crate::text::Text;
 use crate::text::length;
+use crate::{odds, thresholds};
 
 use crate::fit::gap::lengths_mm;
 use crate::fit::noise::StatedNoise;
 use crate::observations::figures::{ResidualsOfKind, left_of_kinds};
 use crate::observations::{Layer, kind_in_words};
 
-use super::excess::{Excess, MOST_OVER_THE_FLOOR, excess_of};
+use super::excess::{Excess, excess_of};
 use super::group_excess;
 use super::repeatability::robot_mm;
 use super::unpredicted;
 use super::values::{Values, tails_of};
 use super::withheld::{StandIn, stand_in};
 use crate::answers::diagnosis::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
-use crate::diagnosis::search::CHANCE_OF_A_STEP;
 use crate::diagnosis::search::SearchResult;
 use crate::diagnosis::search::free_curve;
 use crate::diagnosis::search::prepare::PreparedSearch;
@@ -51,9 +52,9 @@ pub(crate) fn judge(
         };
         let capped = prepared.is_capped(found);
         let structure = if capped {
-            CHANCE_OF_A_STEP
+            odds::TAKEN.chance()
         } else {
-            CHANCE_OF_STRUCTURE
+            SMALLEST
         };
         if unexplained.p <= structure {
             unexplained.present = true;
@@ -129,7 +130,7 @@ fn without_a_size(
 fn wanders(values: &Values, names: usize, floor: &Floor) -> Option<Text> {
     let over = values.rms_mm() / floor.mm.max(f64::MIN_POSITIVE);
     let stated = floor.from != FloorFrom::Estimated;
-    (names > 0 && stated && values.noise_is_slow() && over > MOST_OVER_THE_FLOOR).then(|| {
+    (names > 0 && stated && values.noise_is_slow() && over > thresholds::NOTICEABLE).then(|| {
         text!(
             "the remaining error is {times} times the floor ({floor}): the measuring frame wanders, or something changes as slowly",
             times = format!("{over:.2}"),
@@ -147,10 +148,6 @@ pub(crate) fn of(nothing_found: bool, something_left: bool) -> Verdict {
         (true, true) => Verdict::Unexplained,
     }
 }
-
-/// The smallest chance that simulations can state: structure that the search did not take all the
-/// same (it does not predict unseen samples, or matters little) is said to be there.
-const CHANCE_OF_STRUCTURE: f64 = 0.0005;
 
 fn flag(
     prepared: &PreparedSearch,
@@ -260,7 +257,7 @@ fn over_stated(prepared: &PreparedSearch, values: &Values, floor: &Floor) -> Opt
 /// samples that is off leaves the bulk as it is too, and is no tail: the RMS error itself is above the floor then. (A
 /// variance for each degree of freedom is above it as well where priors hold a robot that is farther off.)
 fn is_of_the_bulk(bulk: f64, values: &Values, floor: &Floor) -> bool {
-    bulk > 1.0 || values.rms_mm() > MOST_OVER_THE_FLOOR * floor.mm
+    bulk > 1.0 || values.rms_mm() > thresholds::NOTICEABLE * floor.mm
 }
 
 /// The same of every kind whose noise is stated, by itself: the clearest of them, its chance that of

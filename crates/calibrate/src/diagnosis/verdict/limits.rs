@@ -8,22 +8,19 @@
 
 pub(crate) use crate::answers::limits::Limit;
 use crate::effects::{Form, Quantity, Setting};
+use crate::odds;
 
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::evidence::{bisected, weight_of};
-use crate::diagnosis::search::CHANCE_OF_A_STEP;
-
-/// The chance that what is as large as its limit is missed.
-const MISSED: f64 = 0.05;
 
 /// Limits of every name that was tried and is not in the model.
 pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
     let around = regression.surroundings(fit, CandidateSubset::Names);
     let freedom = regression.m() - fit.basis.rank() as f64;
     let scale = regression.scale(fit).max(1e-300);
-    let threshold = regression.minus_ln_p_for(CHANCE_OF_A_STEP, fit);
+    let threshold = regression.minus_ln_p_for(odds::TAKEN.chance(), fit);
     let mut groups: Vec<(&'static str, usize, Vec<usize>)> = Vec::new();
     for (index, candidate) in regression.table.candidates.iter().enumerate() {
         let Some(term) = candidate.what.term() else {
@@ -134,7 +131,9 @@ fn noncentrality(critical: f64, k: usize) -> f64 {
         0.5 * statrs::function::erf::erfc(-z / std::f64::consts::SQRT_2)
     };
     let widest = 4.0 * critical + 100.0;
-    bisected([0.0, widest], |lambda| chance_below(lambda) > MISSED)
+    bisected([0.0, widest], |lambda| {
+        chance_below(lambda) > odds::OPEN.chance()
+    })
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use crate::answers::diagnosis::{Floor, FoundEffect};
 use crate::effects::{Term, called, stated};
+use crate::odds;
 use crate::text::Text;
 use crate::text::{angle, lengths};
 
@@ -11,8 +12,7 @@ use super::values::Values;
 use crate::diagnosis::evidence::FamilyP;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::prepare::PreparedSearch;
-use crate::diagnosis::search::worth;
-use crate::diagnosis::search::{EQUALLY_LIKELY, Next, Step};
+use crate::diagnosis::search::{EQUALLY_LIKELY, Next, Step, worth};
 
 pub(crate) fn found(
     prepared: &PreparedSearch,
@@ -39,7 +39,8 @@ pub(crate) fn found(
         let odds = if equal {
             1.0
         } else {
-            over.clamp(-30.0, 30.0).exp()
+            over.clamp(-odds::BEYOND_DOUBT.nats(), odds::BEYOND_DOUBT.nats())
+                .exp()
         };
         let within_s = step_time::within_s(prepared, term, &worth);
         let notes = notes(prepared, term, within_s);
@@ -106,7 +107,7 @@ pub(crate) fn describe(
     let sign = if p.bound { '<' } else { '=' };
     let p = format!("{sign} {}", p.p);
     let evidence = match next {
-        Some(next) if odds > 1000.0 => text!(
+        Some(next) if odds > odds::CLEAR.0 => text!(
             "p {p} (chance that noise alone looks like this); more than 1000 times likelier than the next candidate ({next})",
             p,
             next = called(next)

@@ -1,5 +1,6 @@
 //! What the samples leave open: rivals that they cannot rule out, what they cannot show, and poses that would decide.
 
+use crate::budget;
 use crate::effects::Term;
 use crate::set_up_errors::DataProblem;
 use crate::text::Text;
@@ -44,12 +45,6 @@ impl Proposal {
 /// Proposes poses.
 pub(crate) type Planner<'p> = &'p dyn Fn(&Undecided) -> Proposal;
 
-/// So many rivals that are likelier, likeliest first, are held against what is said of them.
-const MOST_HELD_AGAINST: usize = 3;
-
-/// At most so many rivals are listed.
-const MOST_EQUIVALENT: usize = 6;
-
 /// What the samples leave open.
 pub(super) struct OpenQuestions {
     /// Rivals that the samples cannot rule out.
@@ -70,7 +65,7 @@ impl OpenQuestions {
                 return true;
             }
             held += 1;
-            held <= MOST_HELD_AGAINST && stands_above(prepared, &r.fit, fit)
+            held <= budget::LIKELIEST && stands_above(prepared, &r.fit, fit)
         });
         let others = &end.other_ends;
         rivals.extend(aliases::under_another_noise(regression, fit, others));
@@ -126,7 +121,7 @@ pub(super) fn equivalents(
             known.orders.extend(rival.other_settings());
             continue;
         }
-        if all.len() == MOST_EQUIVALENT {
+        if all.len() == budget::LISTED {
             continue;
         }
         all.push(Equivalent {

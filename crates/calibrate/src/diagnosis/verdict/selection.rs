@@ -17,6 +17,7 @@ use statrs::distribution::{Continuous, ContinuousCDF, Normal};
 use crate::diagnosis::evidence::bisected;
 use crate::effects::{Form, Term};
 use crate::fit::Estimate;
+use crate::units::HALF_TURN_DEG;
 
 /// Beyond so many standard deviations over the limit the selection does nothing.
 const FAR: f64 = 5.0;
@@ -82,7 +83,7 @@ impl Selection {
         if estimate.name.starts_with("phase") {
             // It is as sure as the amplitude is large, which is less than it looked.
             let half = half / self.factor.max(0.05);
-            estimate.ci95 = (half < 180.0).then_some([value - half, value + half]);
+            estimate.ci95 = (half < HALF_TURN_DEG).then_some([value - half, value + half]);
             return;
         }
         let along = [self.low * value, self.high * value];

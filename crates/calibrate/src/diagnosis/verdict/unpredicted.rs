@@ -9,10 +9,11 @@
 //! with f the noise floor, d the combinations that the measured poses do not show (`fit/expected.rs`) and k the factor by
 //! which Student's t of the freedom is wider than the normal. Half of the samples may be gross errors.
 
+use crate::fewest;
 use crate::fit::base_model;
 use crate::fit::expected::{uncertainties_mm, unseen_mm};
 use crate::fit::gap::lengths_mm;
-use crate::fit::uncertainty::{NORMAL_95, half_width_factor};
+use crate::fit::uncertainty::{half_width_factor, normal_95};
 use crate::numeric::{median, whole};
 use crate::text::{Text, length};
 
@@ -20,8 +21,6 @@ use super::values::Values;
 use crate::answers::diagnosis::Floor;
 use crate::diagnosis::search::prepare::PreparedSearch;
 
-/// With fewer held-out samples one or two that are wrong are the half.
-pub(super) const FEWEST: usize = 8;
 /// From so many times the standard uncertainty on; half of all normal errors are within one.
 const MOST_TIMES: f64 = 3.0;
 
@@ -36,7 +35,7 @@ pub(crate) fn missed(prepared: &PreparedSearch, values: &Values, floor: &Floor) 
     let left_mm = lengths_mm(problem, &values.model);
     let is_apart = |i: &usize| problem.usable[*i] && held_out[*i] && left_mm[*i].is_finite();
     let apart: Vec<usize> = (0..left_mm.len()).filter(is_apart).collect();
-    if apart.len() < FEWEST {
+    if apart.len() < fewest::TO_JUDGE {
         return None;
     }
     let inputs = problem.inputs.select(&apart);
@@ -48,7 +47,7 @@ pub(crate) fn missed(prepared: &PreparedSearch, values: &Values, floor: &Floor) 
     } else {
         vec![0.0; apart.len()]
     };
-    let wider = half_width_factor(whole(values.white().1)) / NORMAL_95;
+    let wider = half_width_factor(whole(values.white().1)) / normal_95();
     let uncertain = of_values
         .iter()
         .zip(&unseen)

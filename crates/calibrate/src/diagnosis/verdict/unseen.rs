@@ -1,11 +1,11 @@
 //! The RMS error on samples that no fit has seen: those that the session or an option marks, else
 //! cross-fitted.
 
+use crate::fewest;
 use crate::fit::base_model;
 use crate::fit::gap::{Spread, lengths_mm};
 use crate::model::Model;
 
-use super::unpredicted::FEWEST;
 use super::values::Values;
 use crate::answers::diagnosis::{Gaps, HeldOut};
 use crate::diagnosis::evidence::{Fit, Folds, Regression};
@@ -79,7 +79,7 @@ pub(super) fn rms_apart_mm(prepared: &PreparedSearch, left_mm: &[f64]) -> f64 {
     let spread = Spread::of(
         left_mm,
         |i| apart[i],
-        |i| count >= FEWEST && left_mm[i] > limit,
+        |i| count >= fewest::TO_JUDGE && left_mm[i] > limit,
     );
     spread.map_or(0.0, |s| s.rms_mm)
 }

@@ -17,19 +17,17 @@ use crate::fit::{
 };
 use crate::model::Model;
 use crate::observations::figures::{coordinate_mm, whitened};
+use crate::odds;
 use crate::sessions::poses::ByPose;
+use crate::thresholds::EQUAL;
 
 use super::limits::gain_of;
 use super::selection::Selection;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Significance;
-use crate::diagnosis::search::CHANCE_OF_A_STEP;
 use crate::diagnosis::search::OrderSpread;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::worth;
-
-/// A correction for the selection makes the fit worse by no more than this.
-const MOST_WORSE: f64 = 1.02;
 
 /// Values of shapes that a fit to all samples may carry at most.
 const MOST_BESIDE: usize = 20_000_000;
@@ -293,7 +291,7 @@ impl<'a> Values<'a> {
         let start = Model::new(self.model.robot.clone(), self.with_names_held());
         let fitted = solve(&self.problem, &start).model;
         self.model = self.model.with_coefficients(&fitted.coefficients());
-        if self.rms_mm() > MOST_WORSE * before.rms_mm() {
+        if self.rms_mm() > EQUAL * before.rms_mm() {
             self.model = before.model.clone();
             self.estimates.clone_from(&before.estimates);
         }
@@ -472,7 +470,7 @@ pub(crate) fn corrected_for_selection<'a>(
     mut values: Values<'a>,
 ) -> Values<'a> {
     let regression = &prepared.regression;
-    let threshold = regression.minus_ln_p_for(CHANCE_OF_A_STEP, fit);
+    let threshold = regression.minus_ln_p_for(odds::TAKEN.chance(), fit);
     let before = (regression.base.robot.joints.len() > 1).then(|| values.clone());
     for term in regression.added(fit) {
         let rest = worth(prepared, fit, term).rest;

@@ -1,16 +1,13 @@
 //! Names that stand in for one that a run leaves out (`--without`). What the name that was left out would
 //! explain as well is not explained by the other alone: the answer says so, as something unexplained.
 
+use crate::diagnosis::search::NEEDED;
 use crate::effects::{CATALOGUE, Effect, Term, form_in};
 use crate::fit::scan;
 
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::search::prepare::PreparedSearch;
-
-/// A name that was left out may be less likely by this much, as a logarithm, and is still as good: the noise
-/// decides between two that do the same.
-const AS_LIKELY: f64 = 1.0;
 
 /// A name that is said, and one that was left out and explains as much.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +28,7 @@ pub(crate) fn stand_in(prepared: &PreparedSearch, fit: &Fit) -> Option<StandIn> 
             // What a name becomes in the limit is no other name.
             effect.about().family() != term.effect.about().family()
                 && evidence_with(prepared, &rest, effect)
-                    .is_some_and(|with| with > fit.ln_evidence - AS_LIKELY)
+                    .is_some_and(|with| with > fit.ln_evidence - NEEDED)
         };
         let other = withheld().find(as_likely)?;
         Some(StandIn {

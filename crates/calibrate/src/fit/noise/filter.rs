@@ -2,6 +2,7 @@
 //! stand in [the module above](super).
 
 use super::joints::{JointFilter, carried};
+use crate::lanes::TOGETHER;
 
 /// What one sample does in the filter of an axis.
 #[derive(Debug, Clone, Copy, Default)]
@@ -28,9 +29,6 @@ pub struct Filter {
     /// Where rows share what the robot did not repeat: this in the place of the axes.
     pub(super) joints: Option<JointFilter>,
 }
-
-/// Columns that go through the filter together, so that they do not wait for one another.
-pub(super) const TOGETHER: usize = 8;
 
 impl Filter {
     /// Whitens columns of rows, one column after the other, an axis after the other in each.

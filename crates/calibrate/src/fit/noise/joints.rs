@@ -14,8 +14,8 @@
 //! ```
 
 use super::Noise;
-use super::filter::TOGETHER;
 use crate::fit::levers::Moves;
+use crate::lanes::TOGETHER;
 
 /// Predicts one row after the other from those before: the covariance of the states on the way.
 #[derive(Debug, Clone)]

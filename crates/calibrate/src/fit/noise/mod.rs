@@ -25,6 +25,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::sessions::Sigma;
+use crate::{fewest, odds, rounding};
 
 use super::regression::Rows;
 use filter::{Axis, steps};
@@ -41,27 +42,18 @@ pub(crate) use crate::answers::noise::{Slow, StatedNoise};
 pub(crate) use filter::{Filter, Step};
 use joints::JointFilter;
 pub(crate) use joints::carried;
-pub(crate) use restricted::SMALLEST_SIGMA_MM;
 
-/// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on the axes
-/// differ: p < 0.0004.
-/// Weights are then not by chance.
-const UNEQUAL_EVIDENCE: f64 = 16.0;
+/// Estimates from a few hundred samples differ by this: of what is slow and of what the joints do not repeat …
+const ALIKE: f64 = 0.1;
+/// … of time constants, as logarithms …
+const ALIKE_TIMES: f64 = 0.5;
+/// … and of the sizes of the axes, which all samples tell.
+const ALIKE_SIZES: f64 = 0.05;
 /// Ratios of axes beyond this are something that the model lacks, not noise.
 const MOST_UNEQUAL: f64 = 10.0;
-/// With fewer samples neither axes nor a slow part are told apart.
-const FEWEST_SAMPLES: usize = 20;
-/// Twice the logarithm of the likelihood ratio from which on a slow part is there. A time constant
-/// and a size for each axis on the boundary of their range: white noise exceeds it in about one
-/// session of a hundred (`hidden_effects noise`).
-/// 0 of 40 sessions of white noise of `hidden_effects slow` exceed it.
-const SLOW_EVIDENCE: f64 = 12.0;
-/// Twice the logarithm of the likelihood ratio from which on the robot does not repeat: a variance on the boundary of its
-/// range, which noise alone exceeds in one session of 200 (half of χ² with one degree of freedom).
-const JOINTS_EVIDENCE: f64 = 6.63;
-/// Variances of what the joints do not repeat that are tried, in units of the white part's …
+/// Variances of what the joints do not repeat that are tried, in units of the white part's.
 const SHARES: [f64; 6] = [0.1, 1.0, 10.0, 100.0, 1e3, 1e4];
-/// … and factors of the search around the likeliest.
+/// Factors of the search around the likeliest: each about the square root of the one before it.
 const CLOSER_SHARES: [f64; 4] = [3.2, 1.8, 1.3, 1.15];
 /// What a slow part pays for each of its numbers (a time constant and a size for each axis), as a
 /// logarithm: each is known to about a factor of two within a range of some hundred to one:
@@ -84,6 +76,12 @@ fn least_white_mm(stated: Option<Sigma>, rows: &Rows) -> f64 {
         }
         _ => 0.0,
     }
+}
+
+/// Whether a slow part is there: a time constant and a size for each axis, on the boundary of their range. White noise
+/// makes as much likelier in about one session of a hundred (`hidden_effects noise`; 0 of 40 of `slow`).
+fn is_slow(trial: &Trial, white: f64) -> bool {
+    trial.0 - white > odds::TAKEN.nats()
 }
 
 impl Noise {
@@ -125,7 +123,7 @@ impl Noise {
         let restricted = Restricted::new(rows, residual, columns);
         let least_mm = least_white_mm(stated, rows);
         let mut slow = NoiseShape::white(noise.sigma_mm);
-        let enough = rows.samples.len() >= FEWEST_SAMPLES;
+        let enough = rows.samples.len() >= fewest::TO_SEARCH;
         if enough {
             let mut alike = noise.clone();
             noise.balance_axes(&restricted, slow);
@@ -146,15 +144,14 @@ impl Noise {
             // What wanders along some axes only makes them look unequal as well.
             if noise.unequal && !alike.unequal {
                 let other = alike.slowest(&restricted, white);
-                let slow = |trial: &Trial| 2.0 * (trial.0 - white) > SLOW_EVIDENCE;
                 let better = |trial: &Trial| best.is_none_or(|b| trial.0 > b.0);
-                if let Some(other) = other.filter(|t| slow(t) && better(t)) {
+                if let Some(other) = other.filter(|t| is_slow(t, white) && better(t)) {
                     (noise, best) = (alike, Some(other));
                 }
             }
-            let is_slow = best.is_some_and(|b| 2.0 * (b.0 - white) > SLOW_EVIDENCE);
+            let wanders = best.is_some_and(|b| is_slow(&b, white));
             if noise.joints_rad > 0.0
-                && is_slow
+                && wanders
                 && let Some((_, tau, ratio)) = best
             {
                 // What wanders is the same in the rows of a pose as well.
@@ -186,7 +183,7 @@ impl Noise {
             }
             if let Some((likelihood, tau, ratio)) = best {
                 noise.slow_evidence = 2.0 * (likelihood - white);
-                if noise.slow_evidence > SLOW_EVIDENCE {
+                if noise.slow_evidence > 2.0 * odds::TAKEN.nats() {
                     slow = NoiseShape {
                         tau,
                         ratio,
@@ -205,7 +202,7 @@ impl Noise {
         let sigma = noise.sigma_mm;
         let scale = restricted
             .scale(NoiseShape { sigma, ..slow })
-            .max(SMALLEST_SIGMA_MM);
+            .max(rounding::WRITTEN);
         // What was rounded away is noise, whatever the residuals of few digits look like.
         noise.scaled(scale).at_least(rows.digits_mm)
     }
@@ -248,7 +245,8 @@ impl Noise {
         for factor in CLOSER_SHARES {
             best = better(better(best, at(best.0 * factor)), at(best.0 / factor));
         }
-        (2.0 * (best.1 - without) > JOINTS_EVIDENCE).then(|| (unit * best.0.sqrt(), best.1))
+        (2.0 * (best.1 - without) > odds::LIKELY.chi_square())
+            .then(|| (unit * best.0.sqrt(), best.1))
     }
 
     /// Sizes of the axes relative to each other, where they clearly differ beside a slow part.
@@ -259,12 +257,13 @@ impl Noise {
             let spread = restricted.spread(NoiseShape { sigma, ..slow });
             let freedom: f64 = spread.iter().map(|s| s.1).sum();
             let pooled = spread.iter().map(|s| s.0 * s.1).sum::<f64>() / freedom.max(1.0);
-            if pooled.sqrt() < SMALLEST_SIGMA_MM {
+            if pooled.sqrt() < rounding::WRITTEN {
                 return;
             }
-            let ratio = |s: f64| (s / pooled).max(1e-6);
+            let ratio = |s: f64| (s / pooled).max(rounding::WRITTEN);
             let evidence: f64 = spread.iter().map(|s| -s.1 * ratio(s.0).ln()).sum();
-            if stated || !self.unequal && evidence < UNEQUAL_EVIDENCE {
+            // Of two degrees of freedom χ² is above 2 ln n once in n sessions: weights are then not by chance.
+            if stated || !self.unequal && evidence < 2.0 * odds::CLEAR.nats() {
                 return;
             }
             stated = false;
@@ -345,14 +344,14 @@ impl Noise {
         let share = |n: &Self| n.correlation(0.0);
         let time = |n: &Self| n.slow.map_or(0.0, |s| s.time_constant_s.ln());
         let size = |n: &Self, axis: usize| {
-            let total = n.total_mm(&[0, 1, 2]).max(SMALLEST_SIGMA_MM);
-            (n.sigma_mm[axis] / total).max(1e-3).ln()
+            let total = n.total_mm(&[0, 1, 2]).max(rounding::WRITTEN);
+            (n.sigma_mm[axis] / total).max(rounding::WRITTEN).ln()
         };
         let joints = |n: &Self| n.joints_rad.max(f64::MIN_POSITIVE).ln();
         self.slow.is_some() == other.slow.is_some()
-            && (joints(self) - joints(other)).abs() < 0.1
-            && (share(self) - share(other)).abs() < 0.1
-            && (time(self) - time(other)).abs() < 0.5
-            && (0..3).all(|axis| (size(self, axis) - size(other, axis)).abs() < 0.05)
+            && (joints(self) - joints(other)).abs() < ALIKE
+            && (share(self) - share(other)).abs() < ALIKE
+            && (time(self) - time(other)).abs() < ALIKE_TIMES
+            && (0..3).all(|axis| (size(self, axis) - size(other, axis)).abs() < ALIKE_SIZES)
     }
 }

@@ -118,7 +118,7 @@ impl Noise {
     ) -> Vec<Trial> {
         // The axes alike, or beside one another as the likeliest slow part has them.
         let mut shapes = vec![([1.0; 3], 1.0)];
-        let clear = likeliest.filter(|b| 2.0 * (b.0 - white) > super::SLOW_EVIDENCE);
+        let clear = likeliest.filter(|b| super::is_slow(b, white));
         if let Some((_, _, ratio)) = clear.filter(|b| b.2.iter().any(|r| *r != b.2[0])) {
             let sum: f64 = restricted.axes.iter().map(|a| ratio[*a]).sum();
             let mean = sum / restricted.axes.len() as f64;

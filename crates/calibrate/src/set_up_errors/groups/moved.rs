@@ -9,32 +9,18 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
+use crate::effects::place::MOST;
 use crate::fit::base_model;
 use crate::model::Model;
-use crate::observations::compared::{ComparedObservation, MOST_NUMBERS, compared_with};
+use crate::observations::compared::{ComparedObservation, compared_with};
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::Text;
+use crate::thresholds::NEARLY_ALL;
+use crate::{budget, fewest, odds, rounding};
 
 use super::evidence::MOST_PLACES;
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
 use crate::set_up_errors::fits::fitted;
-use crate::set_up_errors::thresholds::{EVIDENCE, MOST_SAMPLES};
-
-/// At most so many groups are taken to have moved; of most of them none is known to stand still.
-const MOST_MOVED: usize = 4;
-/// So many suspicions are tried before the next is believed.
-const MOST_TRIED: usize = 3;
-/// Fewest samples on either side of a move …
-const FEWEST: usize = 3;
-/// … and so many measured numbers for each that says where the group is: three distances have a place however wild
-/// they are.
-const NUMBERS_FOR_EACH: usize = 2;
-/// A socket alone, of which several move, need not carry the whole error: it has to leave less than this share of
-/// it. Another group takes up a part of many an effect, and has to leave as little as any place.
-const SOCKET_LEAVES: f64 = 0.9;
-/// What the regression explains as a logarithm before a fit is made. The base has taken up a part of a move, so
-/// that a fit shows more.
-const WORTH_A_FIT: f64 = EVIDENCE / 3.0;
 
 /// A suspicion: how much it explains, as a logarithm, and what takes it back.
 struct Suspicion {
@@ -88,17 +74,17 @@ pub(super) fn moved(session: &Session, values: JointValues) -> Option<Moved> {
         .filter(|group| arm || *group != Group::Target)
         .filter(several)
         .collect();
-    if groups.is_empty() || session.samples.len() > MOST_SAMPLES * 4 {
+    if groups.is_empty() || session.samples.len() > budget::OF_A_TRIAL * 4 {
         return None;
     }
     let (mut model, mut before) = fitted(session, values)?;
     let before_mm = before;
     let mut problems = Vec::new();
     let mut now: Option<Session> = None;
-    for _ in 0..MOST_MOVED {
+    for _ in 0..budget::ROUNDS {
         let here = now.as_ref().unwrap_or(session);
         let suspicions = suspicions(here, values, &model, &groups).into_iter();
-        let tried = suspicions.take(MOST_TRIED);
+        let tried = suspicions.take(budget::LIKELIEST);
         let tried =
             tried.filter_map(|suspicion| FittedSuspicion::of(suspicion, here, values, before));
         let Some(best) = tried.min_by(|a, b| a.left_mm.total_cmp(&b.left_mm)) else {
@@ -143,7 +129,7 @@ impl FittedSuspicion {
         let samples = session.samples.len();
         let evidence = evidence(samples, rows_of(group), before_mm, left_mm, numbers);
         let leaves = match group {
-            Group::Socket => SOCKET_LEAVES,
+            Group::Socket => NEARLY_ALL,
             _ => LEAVES,
         };
         is_believed(evidence, before_mm, left_mm, leaves).then_some(Self {
@@ -194,10 +180,11 @@ fn suspicions(
                 continue;
             };
             let left = (square - explained)
-                .max(1e-9 * square)
+                .max(rounding::COMPUTED * square)
                 .max(f64::MIN_POSITIVE);
             let gain = 0.5 * rows as f64 * (square / left).ln();
-            if gain > WORTH_A_FIT {
+            // The base has taken up a part of a move, so that a fit shows more.
+            if gain > odds::CLEAR.nats() {
                 found.push(Suspicion {
                     gain,
                     group,
@@ -224,9 +211,9 @@ fn best_of(
     stated: bool,
 ) -> Option<(f64, Option<usize>)> {
     let n = own.len();
-    let fewest = (NUMBERS_FOR_EACH * numbers_of(group))
+    let fewest = (fewest::ROWS_TO_A_COLUMN * numbers_of(group))
         .div_ceil(rows_of(group))
-        .max(FEWEST);
+        .max(fewest::NO_ACCIDENT);
     if n < 2 * fewest {
         return None;
     }
@@ -272,15 +259,15 @@ fn is_of_all(session: &Session, group: Group, from: usize) -> bool {
 /// Products of a group's numbers with themselves and with what is left.
 #[derive(Debug, Clone, Default)]
 struct Sums {
-    gram: SMatrix<f64, MOST_NUMBERS, MOST_NUMBERS>,
-    pull: SVector<f64, MOST_NUMBERS>,
+    gram: SMatrix<f64, MOST, MOST>,
+    pull: SVector<f64, MOST>,
 }
 
 impl Sums {
     fn add(&mut self, one: &ComparedObservation, group: Group) {
         let by = one.by(group);
         for (row, by) in by.iter().enumerate().take(one.left.rows) {
-            let by = SVector::<f64, MOST_NUMBERS>::from_column_slice(by);
+            let by = SVector::<f64, MOST>::from_column_slice(by);
             self.gram += by * by.transpose();
             self.pull += by * one.left.left[row];
         }
@@ -296,15 +283,15 @@ impl Sums {
     /// By how much the sum of squares falls where the numbers are free.
     fn explained(&self) -> f64 {
         // Numbers of different units: each in units of what it does.
-        let scale = SVector::<f64, MOST_NUMBERS>::from_fn(|k, _| {
+        let scale = SVector::<f64, MOST>::from_fn(|k, _| {
             let own = self.gram[(k, k)].sqrt();
             if own > 0.0 { 1.0 / own } else { 0.0 }
         });
         let mut gram = self.gram;
         let mut pull = self.pull;
-        for k in 0..MOST_NUMBERS {
+        for k in 0..MOST {
             pull[k] *= scale[k];
-            for j in 0..MOST_NUMBERS {
+            for j in 0..MOST {
                 gram[(k, j)] *= scale[k] * scale[j];
             }
             gram[(k, k)] += 1e-6;

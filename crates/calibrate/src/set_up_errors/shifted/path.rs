@@ -1,29 +1,17 @@
 //! The likeliest path of shifts through the rows.
 
+use nalgebra::Vector3;
+
 use crate::fit::problem::unusable;
 use crate::model::Positions;
 use crate::sessions::{Samples, Session};
-use crate::text::Text;
-use nalgebra::Vector3;
-
 use crate::set_up_errors::nearest::cost_of;
+use crate::text::Text;
+use crate::{budget, fewest, odds};
 
-/// More changes than this are no points that were lost.
-const MOST_CHANGES: usize = 8;
-/// The median length of three coordinates with σ = 1.
-pub(super) const MEDIAN_LENGTH: f64 = 1.538;
 /// Shifts that are tried, to either side.
 pub(super) const MOST_SHIFT: isize = 3;
 const STATES: usize = 2 * MOST_SHIFT as usize + 1;
-/// The logarithm of the price of a change, beside that of its place.
-const PRICE: f64 = 6.0;
-/// What a row without a point costs: as much as one 3 σ off.
-const WITHOUT_A_POINT: f64 = 4.0;
-/// A row whose point would be behind an end of the file, or would be one that was not measured: a shift that only
-/// takes rows out fits nothing.
-const NO_POINT_THERE: f64 = 20.0;
-/// A shift that ends again has given at least so many rows a point.
-const FEWEST_IN_A_ROW: usize = 3;
 /// Rows to either side between which the place of a change is sought again.
 const NEAR: usize = 4;
 
@@ -46,7 +34,7 @@ impl<'s> Points<'s> {
         };
         let known = || (0..points.len()).filter_map(|row| points.get(row));
         let n = known().count();
-        if n < FEWEST_SAMPLES {
+        if n < fewest::TO_SEARCH {
             return None;
         }
         let mean: Vector3<f64> = known().sum::<Vector3<f64>>() / n as f64;
@@ -102,7 +90,7 @@ impl Path {
 
     /// Whether some row is, and not more often than points are lost.
     pub(super) fn is_shift(&self) -> bool {
-        !self.is_none() && self.changes.len() <= MOST_CHANGES
+        !self.is_none() && self.changes.len() <= budget::ROUNDS
     }
 
     fn shift_of(&self, row: usize) -> isize {
@@ -130,7 +118,7 @@ impl Path {
             let (first, by) = self.changes[k];
             let end = self.changes.get(k + 1).map_or(rows, |next| next.0);
             let least = if end < rows && by != 0 {
-                FEWEST_IN_A_ROW
+                fewest::NO_ACCIDENT
             } else {
                 1
             };
@@ -202,18 +190,18 @@ fn price_of(from: isize, to: isize, rows: usize) -> f64 {
         return 0.0;
     }
     let jump = from.abs_diff(to) as f64;
-    PRICE * (1.0 + 0.5 * (jump - 1.0)) + (rows.max(2) as f64).ln()
+    odds::TAKEN.nats() * (1.0 + 0.5 * (jump - 1.0)) + (rows.max(2) as f64).ln()
 }
 
 /// What a deviation costs.
 pub(super) fn cost(deviation_mm: Option<f64>, sigma_mm: f64) -> f64 {
-    deviation_mm.map_or(WITHOUT_A_POINT, |r| cost_of(r, sigma_mm))
+    cost_of(deviation_mm.unwrap_or(3.0 * sigma_mm), sigma_mm)
 }
 
 /// What the deviation of a point costs that is that of so many rows below.
 pub(super) fn cost_of_shifted(deviation_mm: Option<f64>, by: isize, sigma_mm: f64) -> f64 {
     if by != 0 && deviation_mm.is_none() {
-        NO_POINT_THERE
+        odds::BEYOND_DOUBT.nats()
     } else {
         cost(deviation_mm, sigma_mm)
     }
@@ -280,7 +268,7 @@ pub(super) fn along(
             let own = if inside {
                 cost(row, shift(to))
             } else {
-                NO_POINT_THERE
+                odds::BEYOND_DOUBT.nats()
             };
             next[to] = best + own;
             from[to] = at as u8;
@@ -335,9 +323,6 @@ fn place_exactly(path: &mut Path, rows: usize, cost: &dyn Fn(usize, Option<usize
         }
     }
 }
-
-/// With fewer samples a shift cannot be told from anything else.
-const FEWEST_SAMPLES: usize = 12;
 
 #[cfg(test)]
 mod tests {

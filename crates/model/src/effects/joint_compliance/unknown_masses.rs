@@ -20,6 +20,7 @@ use crate::effects::block::{Block, TurnedLanes};
 use crate::effects::gravity::{first_moments, seen_by_all, seen_by_slope};
 use crate::effects::inputs::Inputs;
 use crate::effects::joint_frame::JointFrame;
+use crate::effects::rest::UNIT_SAGS;
 use crate::effects::units::Unit;
 use crate::effects::{Effect, Figure, Placed};
 use crate::kinematics::{JointKind, Robot};
@@ -33,18 +34,16 @@ use super::about::ABOUT;
 
 /// Joints whose parts count, the joint itself among them.
 const PARTS: usize = 3;
-/// Two coefficients for each part.
-const OF_PARTS: usize = 2 * PARTS;
 
 /// C from a load that changes, and what the links weigh.
 pub(super) static WITH_LOAD: Effect = Effect {
-    figures: figures::<{ 1 + OF_PARTS }>,
-    ..Effect::new(ABOUT_WITH_LOAD, act::<{ 1 + OF_PARTS }>)
+    figures: figures::<{ 1 + UNIT_SAGS }>,
+    ..Effect::new(ABOUT_WITH_LOAD, act::<{ 1 + UNIT_SAGS }>)
 };
 /// What links and an unchanging load weigh together: C is in every moment.
 pub(super) static SAG: Effect = Effect {
-    figures: figures::<OF_PARTS>,
-    ..Effect::new(ABOUT_SAG, act::<OF_PARTS>)
+    figures: figures::<UNIT_SAGS>,
+    ..Effect::new(ABOUT_SAG, act::<UNIT_SAGS>)
 };
 
 const QUANTITIES: &[Quantity] = &[
@@ -216,7 +215,7 @@ struct Sag<const N: usize> {
 
 /// Whether C is the first of so many coefficients.
 const fn with_load(coefficients: usize) -> bool {
-    coefficients > OF_PARTS
+    coefficients > UNIT_SAGS
 }
 
 impl<const N: usize> Sag<N> {
@@ -267,8 +266,8 @@ impl Parts {
     }
 
     /// The directions as the joint carries them with the joint itself at zero, two for each part.
-    fn carried(&self, block: &Block, lane: usize) -> [[f64; 3]; OF_PARTS] {
-        let mut all = [[0.0; 3]; OF_PARTS];
+    fn carried(&self, block: &Block, lane: usize) -> [[f64; 3]; UNIT_SAGS] {
+        let mut all = [[0.0; 3]; UNIT_SAGS];
         // From the outermost joint inwards each turns what it carries.
         for part in (0..PARTS).rev() {
             if let Some(own) = self.across[part] {
@@ -385,7 +384,7 @@ fn links_by_other<const N: usize>(
     let per_g = 1.0 / length(whole.gravity).max(f64::MIN_POSITIVE);
     let slope = (other > me.joint).then_some(other);
     let mut moment = [0.0; 3];
-    let of_parts = me.coefficients.iter().skip(N - OF_PARTS);
+    let of_parts = me.coefficients.iter().skip(N - UNIT_SAGS);
     for (k, coefficient) in of_parts.enumerate() {
         let v = direction(block, me.joint, k, lane, slope);
         moment = add_scaled(moment, v, coefficient * per_g);
@@ -415,10 +414,10 @@ mod tests {
         fn all_lanes_at_once_have_the_bits_of_each(
             (robot, q) in robot_and_pose(),
             load_kg in 0.0..20.0_f64,
-            coefficients in prop::collection::vec(-1e-3..1e-3_f64, 1 + OF_PARTS),
+            coefficients in prop::collection::vec(-1e-3..1e-3_f64, 1 + UNIT_SAGS),
         ) {
-            are_the_same::<{ 1 + OF_PARTS }>(&robot, &q, load_kg, &coefficients)?;
-            are_the_same::<OF_PARTS>(&robot, &q, load_kg, &coefficients[1..])?;
+            are_the_same::<{ 1 + UNIT_SAGS }>(&robot, &q, load_kg, &coefficients)?;
+            are_the_same::<UNIT_SAGS>(&robot, &q, load_kg, &coefficients[1..])?;
         }
     }
 

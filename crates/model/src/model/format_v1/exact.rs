@@ -1,6 +1,5 @@
 //! The numbers that the program computes with, and whether they are those that people read.
 
-use crate::text::{Template, Text};
 use nalgebra::{Quaternion, Unit, UnitQuaternion};
 
 use crate::document::kinds::{NUMBER, components, wxyz};
@@ -8,17 +7,17 @@ use crate::document::object::{Cursor, Kind, Object, written};
 use crate::effects::term::setting_quantity;
 use crate::effects::{Setting, Term};
 use crate::kinematics::{Joint, Range, Robot};
+use crate::rounding;
 use crate::sessions::files::format_v1::robot::ROBOT;
 use crate::sessions::validation;
+use crate::text::{Template, Text};
 
-/// Exact and readable numbers may differ by this part through conversion, not by more.
-const AGREES: f64 = 1e-9;
 pub(super) const DISAGREES: Template =
     phrase!("the value that the readable keys give: edit both, or remove the exact one");
 
 /// Whether an exact number is the readable one up to conversion.
 pub(super) fn agrees(exact: f64, readable: f64) -> bool {
-    (exact - readable).abs() <= AGREES * readable.abs().max(1e-3)
+    (exact - readable).abs() <= rounding::COMPUTED * readable.abs().max(1e-3)
 }
 
 /// The exact number in place of the readable one.
@@ -124,13 +123,15 @@ pub(super) fn exact_term(o: &mut Object<'_, '_>, term: &mut Term) {
     let expected = text!("an array of {readable} numbers", readable = readable.len());
     let read = |at: &mut Cursor<'_, '_>| {
         // Larger than any coefficient in mm, rad or parts of one; a sum of squares stays finite.
-        let sound = |v: &f64| v.abs() <= 1e15;
+        let sound = |v: &f64| v.abs() <= 1.0 / f64::EPSILON;
         let exact = at
             .column()
             .filter(|all| all.len() == readable.len() && all.iter().all(sound));
         let exact = exact.or_else(|| at.wrong())?;
         let scale = readable.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let near = |(a, b): (&f64, &f64)| (a - b).abs() <= AGREES * scale.max(1e-9);
+        let near = |(a, b): (&f64, &f64)| {
+            (a - b).abs() <= rounding::COMPUTED * scale.max(rounding::COMPUTED)
+        };
         if exact.iter().zip(&readable).all(near) {
             return Some(exact.to_vec());
         }

@@ -4,7 +4,7 @@
 use crate::sessions::{Group, SessionCorrection};
 
 /// Whole numbers up to here are exact.
-const MOST: f64 = 9e15;
+const MOST: f64 = 1.0 / f64::EPSILON;
 
 /// A correction as its name and its numbers; `None` where it is a convention of every session.
 pub(super) fn numbers_of(correction: &SessionCorrection) -> Option<(&'static str, Vec<f64>)> {

@@ -1,6 +1,7 @@
 //! Azimuth and elevation of a direction, and what is left of measured ones.
 
 use crate::observations::put_name;
+use crate::rounding;
 use crate::sessions::{Azimuth, Session};
 
 /// The measured azimuth (in the counterclockwise sense) and elevation of a sample, rad.
@@ -17,8 +18,8 @@ pub(super) fn measured(session: &Session, sample: usize, sense: Azimuth) -> Opti
 /// depend on the direction.
 pub(super) fn left(measured: [f64; 2], direction: [f64; 3]) -> ([f64; 2], [[f64; 3]; 2]) {
     let [x, y, z] = direction;
-    let flat = x.hypot(y).max(1e-12);
-    let square = (flat * flat + z * z).max(1e-24);
+    let flat = x.hypot(y).max(f64::EPSILON);
+    let square = flat * flat + z * z;
     let (azimuth, elevation) = (y.atan2(x), z.atan2(flat));
     let shrink = measured[1].cos();
     let turn = std::f64::consts::TAU;
@@ -48,7 +49,7 @@ pub(super) fn show(
     let [x, y, z] = direction;
     let elevation = z.atan2(x.hypot(y));
     // The same angle in space, wherever it is seen.
-    let azimuth = y.atan2(x) + noise[0] / elevation.cos().max(1e-9);
+    let azimuth = y.atan2(x) + noise[0] / elevation.cos().max(rounding::COMPUTED);
     let stations = &session.instrument.references.stations;
     let sense = station.map_or(Azimuth::default(), |index| stations[index].azimuth);
     let azimuth = (azimuth * sense.sign()).rem_euclid(std::f64::consts::TAU);

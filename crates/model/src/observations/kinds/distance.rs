@@ -7,6 +7,7 @@
 use crate::effects::{Place, PlaceKind};
 use crate::lanes::{dot, minus, scaled};
 use crate::observations::{AboutKind, Kind, Observable, Residual, Seen, Unit, named, put_name};
+use crate::rounding;
 use crate::sessions::{Instrument, Session};
 
 pub(crate) struct Distance;
@@ -66,7 +67,7 @@ impl Kind for Distance {
         let arm = minus(seen.point, [x, y, z]);
         let length = dot(arm, arm).sqrt();
         // On the anchor itself every direction is as good as another.
-        let along = if length > 1e-12 {
+        let along = if length > rounding::COMPUTED {
             scaled(arm, 1.0 / length)
         } else {
             [0.0, 0.0, 1.0]

@@ -10,8 +10,10 @@
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion};
 
+use crate::kinematics::quaternion::SMALL_RAD;
 use crate::kinematics::quaternion::log_of_matrix;
 use crate::observations::{AboutKind, Kind, Observable, Residual, Seen, Unit};
+use crate::rounding;
 use crate::sessions::{Instrument, Session};
 
 pub(crate) struct Orientation;
@@ -31,7 +33,7 @@ pub(crate) fn measured(session: &Session, sample: usize) -> Option<UnitQuaternio
     let [w, x, y, z] = session.samples.orientation_wxyz.as_ref()?;
     let q = Quaternion::new(w[sample], x[sample], y[sample], z[sample]);
     let norm = q.norm();
-    (norm.is_finite() && norm > 1e-9).then(|| UnitQuaternion::from_quaternion(q))
+    (norm.is_finite() && norm > rounding::COMPUTED).then(|| UnitQuaternion::from_quaternion(q))
 }
 
 impl Kind for Orientation {
@@ -78,7 +80,7 @@ impl Kind for Orientation {
         let angle = left.norm();
         // (1/θ² − (1 + cos θ)/(2 θ sin θ)), by its series near zero; beyond a right angle nothing is
         // near, and a rough derivative is enough to get there.
-        let factor = if angle < 1e-2 {
+        let factor = if angle < SMALL_RAD {
             1.0 / 12.0 + angle * angle / 720.0
         } else {
             let theta = angle.min(2.5);

@@ -12,6 +12,7 @@
 use nalgebra::{Cholesky, DMatrix, Matrix3, Vector3};
 
 use crate::observations::{AboutKind, Kind, Observable, Residual, Seen, Unit};
+use crate::rounding;
 use crate::sessions::{Instrument, Session, Sigma};
 
 pub(crate) struct Point;
@@ -102,8 +103,8 @@ impl Kind for Point {
             let at = Vector3::from(measured.map(|v| if v.is_nan() { 0.0 } else { v }));
             let beam = at - tracker.position_mm.coords;
             let length = beam.norm();
-            let along = beam / length.max(1e-9);
-            let across = (tracker.sigma_angle * length).max(1e-9);
+            let along = beam / length.max(rounding::COMPUTED);
+            let across = (tracker.sigma_angle * length).max(rounding::COMPUTED);
             let projector = along * along.transpose();
             let sizes = tracker.sigma_range_mm.powi(2) * projector
                 + across.powi(2) * (Matrix3::identity() - projector);

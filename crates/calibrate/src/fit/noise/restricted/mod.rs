@@ -10,9 +10,11 @@ mod stretches;
 mod summed;
 mod whole;
 
+use nalgebra::{DMatrix, DVector};
+
 use crate::fit::regression::Rows;
 use crate::linear::gram;
-use nalgebra::{DMatrix, DVector};
+use crate::rounding;
 
 use stretches::Stretches;
 pub(super) use summed::NoiseShape;
@@ -134,8 +136,11 @@ impl<'r> Restricted<'r> {
             Some((solved.left, ln_determinant))
         };
         let one = |axis: &usize| {
-            let (more, less) = (at(*axis, DIFFERENCE)?, at(*axis, -DIFFERENCE)?);
-            let by = 4.0 * DIFFERENCE;
+            let (more, less) = (
+                at(*axis, rounding::DIFFERENCE)?,
+                at(*axis, -rounding::DIFFERENCE)?,
+            );
+            let by = 4.0 * rounding::DIFFERENCE;
             let freedom = ((more.1 - less.1) / by).max(1.0);
             let square = ((less.0 - more.0) / by).max(0.0);
             Some((square / freedom, freedom))
@@ -156,21 +161,16 @@ impl<'r> Restricted<'r> {
             return (f64::NEG_INFINITY, 0.0);
         };
         let freedom = self.freedom();
-        let variance = (solved.left / freedom).max(SMALLEST_SIGMA_MM * SMALLEST_SIGMA_MM);
+        let variance = (solved.left / freedom).max(rounding::WRITTEN * rounding::WRITTEN);
         let ln_determinant = solved.ln_determinant() + ln_determinant;
         let ln = -0.5 * (freedom * variance.ln() + ln_determinant);
         (ln, variance.sqrt())
     }
 }
 
-/// Step of the derivatives by differences, of the logarithm of σ.
-const DIFFERENCE: f64 = 1e-4;
 /// Products of columns along all axes, at most, for one noise: a tenth of a second. With more, as of many setups, what the
 /// robot does not repeat is not looked for.
 const MOST_PRODUCTS: usize = 200_000_000;
-
-/// Below this noise is rounding, mm.
-pub(crate) const SMALLEST_SIGMA_MM: f64 = 1e-6;
 
 #[cfg(test)]
 mod tests {

@@ -22,7 +22,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::fit::noise::carried;
 use crate::fit::noise::filter::{Axis, Filter, Step};
 use crate::fit::regression::Rows;
-use crate::linear::{Basis, gram};
+use crate::linear::{Basis, DEPENDENT, gram};
 
 use super::summed::{NoiseShape, Summed};
 
@@ -30,8 +30,6 @@ use super::summed::{NoiseShape, Summed};
 const FEWEST_STRETCHES: usize = 4;
 /// Columns that touch the same samples, at least, so that these are a stretch.
 const FEWEST_COLUMNS: usize = 3;
-/// A column of which less than this share is left beside those of the stretches is one of theirs.
-const DEPENDENT: f64 = 1e-6;
 
 /// The columns of a fit by the stretches of samples that they touch.
 pub(super) struct Stretches {

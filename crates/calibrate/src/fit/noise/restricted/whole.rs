@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::budget;
 use crate::fit::noise::{Noise, Slow};
 use crate::fit::regression::Rows;
 use crate::linear::{Basis, gram};
@@ -28,9 +29,6 @@ pub(super) struct Whole {
 
 /// Axis, time constant and variance, and their sums.
 type Known = ((usize, u64, u64), Rc<AxisSums>);
-
-/// Numbers of the sums that are kept (32 MiB).
-const MOST_KNOWN: usize = 4 << 20;
 
 impl Whole {
     pub(super) fn new(rows: &Rows, residual: &DVector<f64>, columns: &DMatrix<f64>) -> Self {
@@ -75,7 +73,7 @@ impl Whole {
                 }
                 let sums = Rc::new(sums_along(rows, *axis, part, tau, ratio));
                 let mut known = self.evaluated.borrow_mut();
-                let full = (known.len() + 1) * sums.gram.len() > MOST_KNOWN;
+                let full = (known.len() + 1) * sums.gram.len() > budget::NUMBERS_KEPT;
                 if full && !known.is_empty() {
                     known.remove(0);
                 }
