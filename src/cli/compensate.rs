@@ -10,8 +10,8 @@ use crate::kinematics::{Pose, Robot};
 use crate::pipeline;
 use crate::present::compensation_v1::{self, Document};
 use crate::programs::{
-    Answer, CompensateError, ExternalAxes, LANGUAGES, Language, ModelTool, Orientation, Precedence,
-    ProgramFrames, Request, beside, find, language_of,
+    Answer, Beside, CompensateError, ExternalAxes, LANGUAGES, Language, ModelTool, Orientation,
+    Outcome, Precedence, ProgramFrames, Reason, Request, beside, find, language_of,
 };
 use crate::sessions::read_whole;
 use crate::text::Text;
@@ -38,6 +38,10 @@ pub(crate) struct Compensate {
     model: PathBuf,
     /// Table of joint values or poses, or robot program
     targets: PathBuf,
+    /// File of the controller that declares what the program uses: tools, frames, loads, points (a KUKA's
+    /// $config.dat, a RAPID module, a FANUC's SYSFRAME.VA). It is read and not corrected; may be repeated
+    #[arg(long, value_name = "FILE")]
+    with: Vec<PathBuf>,
     /// Write the corrected file here, what was changed to FILE.meta.json; - is standard output
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
@@ -139,16 +143,27 @@ impl Compensate {
             Precedence::Given(pose) => Some(pose),
             _ => None,
         };
-        let beside = match beside(&self.targets, language) {
-            Some(path) => Some((read_whole(&path)?, path)),
-            None => None,
-        };
+        let lies_there = beside(&self.targets, language).filter(|path| !self.with.contains(path));
+        let named = self.with.iter().map(|path| (path.clone(), true));
+        let beside = lies_there
+            .map(|path| (path, false))
+            .into_iter()
+            .chain(named);
+        let beside: Vec<(PathBuf, Vec<u8>, bool)> = beside
+            .map(|(path, named)| read_whole(&path).map(|bytes| (path, bytes, named)))
+            .collect::<Result<_, _>>()?;
         let answer = pipeline::compensate(&Request {
             calibration: &calibration,
             bytes: &bytes,
             language,
             file: Some(&self.targets),
-            beside: beside.as_ref().map(|(bytes, path)| (&**path, &**bytes)),
+            beside: (beside.iter())
+                .map(|(path, bytes, named)| Beside {
+                    path,
+                    bytes,
+                    named: *named,
+                })
+                .collect(),
             load_kg: self.load.unwrap_or_default(),
             start: self
                 .start
@@ -174,17 +189,9 @@ impl Compensate {
             language.id,
             &frame.unwrap_or_else(Pose::identity),
         );
-        let inputs = [
-            Some(self.model.clone()),
-            Some(self.targets.clone()),
-            beside.map(|(_, path)| path),
-        ];
-        self.write(
-            &answer,
-            &document,
-            to_stdout,
-            &inputs.into_iter().flatten().collect::<Vec<_>>(),
-        )?;
+        let mut inputs = vec![self.model.clone(), self.targets.clone()];
+        inputs.extend(beside.into_iter().map(|(path, ..)| path));
+        self.write(&answer, &document, to_stdout, &inputs)?;
         if self.json {
             output::json(&document)?;
         } else if !to_stdout {
@@ -323,6 +330,15 @@ fn complain(answer: &Answer, file: &Path) -> Result<(), Failure> {
             let says = explain::left_as_it_is(target, left);
             output::messages(&[format!("{}, {says}", file.display())]);
         }
+    }
+    let declared_elsewhere = |target: &Outcome| {
+        let left = target.result.as_ref().err();
+        left.is_some_and(|left| left.reason == Reason::Frame)
+    };
+    if answer.targets.iter().any(declared_elsewhere) {
+        output::messages(&[text!(
+            "where tools and frames are declared in another file of the controller ($config.dat, a module, SYSFRAME.VA), --with FILE reads it"
+        )]);
     }
     match answer.left() {
         0 => Ok(()),

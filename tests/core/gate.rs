@@ -451,7 +451,7 @@ fn raw_targets_are_read_and_written_as_the_controller_has_them() {
             bytes: text.as_bytes(),
             language: find("csv").unwrap(),
             file: None,
-            beside: None,
+            beside: Vec::new(),
             load_kg: 0.0,
             start: None,
             frame: None,

@@ -433,6 +433,42 @@ fn what_is_wrong_is_named_by_line_and_column() {
     assert!(iso(&line(1.0 / 0.9)).contains("of the travel away"));
 }
 
+/// The file of a laser's own software: sections, in µm.
+#[test]
+fn runs_in_sections_are_read_as_the_software_of_the_laser_writes_them() {
+    let file = "HEADER::\r\nVersion no: 2\r\nTARGET DATA::\r\nFiletype: Linear\r\nTarget-count: 3\r\nTargets :\r\n    \
+                0.0000   100.0000\r\n  200.0000\r\nFlags: 0 0 0\r\nUSER-TEXT::\r\nMachine: Mill 4\r\nRUNS::\r\nRun-count: \
+                2\r\nDEVIATIONS::\r\nRun Target Data:\r\n   1     1      0.0000\r\n   1     2      1.2000\r\n   1     3      \
+                2.4000\r\n   2     3      3.0000\r\n   2     2      1.9000\r\n   2     1      0.9000\r\nENVIRONMENT::\r\nAir 20.1 \
+                20.2 20.3\r\nEOF::\r\n";
+    let slide = parse_robot(ROBOT).expect("a sound robot").robot;
+    let mut lift = Settings::new(reading("iso230"), &slide);
+    lift.reading.joint = 1;
+    let samples = imported(file.as_bytes(), &lift).session.samples;
+    assert_eq!(samples.q[1], [0.0, 100.0, 200.0, 200.0, 100.0, 0.0]);
+    assert_eq!(
+        samples.dir[1].as_deref(),
+        Some(&[1.0, 1.0, 1.0, -1.0, -1.0, -1.0][..])
+    );
+    let z = samples.z_mm.as_ref().unwrap();
+    let wanted = [300.0, 400.0012, 500.0024, 500.003, 400.0019, 300.0009];
+    let off = z.iter().zip(wanted).map(|(z, wanted)| (z - wanted).abs());
+    assert!(off.fold(0.0, f64::max) < 1e-9, "{z:?}");
+    let says = refusal(file.as_bytes(), &Settings::new(reading("iso230"), &slide));
+    assert!(
+        says.contains("whose unit is not stated") && says.contains("as a table"),
+        "{says}"
+    );
+    let says = refusal(
+        file.replace("   2     2  ", "   2     7  ").as_bytes(),
+        &lift,
+    );
+    assert!(
+        says.contains("line 20: target number 7; expected 1 to 3"),
+        "{says}"
+    );
+}
+
 #[test]
 fn columns_without_a_header_are_named_by_the_person() {
     let robot = robot();

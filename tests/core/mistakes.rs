@@ -623,7 +623,7 @@ fn driven(
         bytes: text.as_bytes(),
         language: find("csv").unwrap(),
         file: None,
-        beside: None,
+        beside: Vec::new(),
         load_kg: 0.0,
         start: None,
         frame: None,

@@ -53,7 +53,7 @@ fn corrected(
         bytes: program.as_bytes(),
         language: find(language).unwrap(),
         file: None,
-        beside: None,
+        beside: Vec::new(),
         load_kg: 0.0,
         start: None,
         frame: None,

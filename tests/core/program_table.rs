@@ -44,7 +44,8 @@ const LITERALS: [(&str, &str); 9] = [
     ("@ULI", "[2.21,0.54,-0.13,-0.69,-0.37,-2.74]"),
     (
         "@FXY",
-        "CONFIG : 'N U T, 0, 0, 0', X = 162.222 mm, Y = 61.710 mm, Z = 586.163 mm, W = -46.7269 deg, P = -26.4136 deg, R = -141.3534 deg",
+        // In the world of a FANUC, whose origin is at the height of axis 2, here 290 mm.
+        "CONFIG : 'N U T, 0, 0, 0', X = 162.222 mm, Y = 61.710 mm, Z = 296.163 mm, W = -46.7269 deg, P = -26.4136 deg, R = -141.3534 deg",
     ),
 ];
 
@@ -66,7 +67,7 @@ fn corrected(
         bytes: program.as_bytes(),
         language: find(language).unwrap(),
         file: None,
-        beside: None,
+        beside: Vec::new(),
         load_kg: 0.0,
         start: Some(vec![2.2, 0.5, -0.1, -0.6, -0.4, -2.7]),
         frame: None,
@@ -186,6 +187,8 @@ const TABLE: &[Row] = &[
     ("lines without numbers", "fanuc-ls", "/MN\n    :  !gripper open ;\n    :L P[1] 9mm/sec FINE ;\n    :  !close ;\n    :L P[2] 9mm/sec FINE INC ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\n", &["P[1]"], &[("P[2]", "relative", "INC")], &[]),
     ("stationary tool", "fanuc-ls", "/MN\n 1:L P[1] 9mm/sec FINE RTCP ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "frame", "RTCP")], &[]),
     ("computed target", "fanuc-ls", "/MN\n 1:PR[1]=P[1] ;\n 2:L PR[1] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "unused", "PR[1] uses it")], &["PR[…]"]),
+    // As a controller lists it whose language is German.
+    ("german listing", "fanuc-ls", "/PROG A\n/ATTR\nEIGN.\t= X;\nDEFAULT_GRUP\t= 1,*,*,*,*;\n/MN\n 1:  WKZ_NUM=1 ;\n 2:J P[1] 9% CNT100 ACC100 ZEIT VOR   .10sek,P-SPS    ;\n 3:L P[2] max_Geschw. CNT0 WKZ_Offset ,PR[1]    ;\n 4:L P[3] 9mm/sek CNT0 INK    ;\n 5:  WKZ_NUM=2 ;\n 6:L P[4] 9mm/sek CNT0 Interrupt,LABEL[1]    ;\n 7:  AUFRUF PICK(1) ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\nP[3]{ GP1: UF : 0, UT : 1, @FXY };\nP[4]{ GP1: UF : 0, UT : 1, @FXY };\n", &["P[1]"], &[("P[2]", "unused", "TOOL_OFFSET"), ("P[3]", "unused", "INK"), ("P[4]", "frame", "UTOOL_NUM is 2")], &["TOOL_OFFSET", "INK", "AUFRUF PICK"]),
     ("computed target", "urscript", "def m():\n q=@ULI\n q[5]=q[5]+0.1\n movej(q)\nend\n", &[], &[("q", "changed", "run time")], &[]),
     ("other moves", "urscript", "def m():\n optimovej(@ULI)\n movel(a=1.2, pose=@UPO)\nend\n", &["target of optimovej", "target of movel"], &[], &[]),
     ("numbered frame", "krl", "FDAT_ACT.IPO_FRAME=#TCP\nLIN {@XYZ,@ST}\n", &[], &[("target of LIN", "frame", "FDAT_ACT.IPO_FRAME is set")], &[]),

@@ -14,7 +14,7 @@ use truepose::fit::identify_exact;
 use truepose::kinematics::Pose;
 use truepose::pipeline;
 use truepose::programs::{
-    Answer, CompensateError, ModelTool, ProgramFrames, Reason, Request, find, language_of,
+    Answer, Beside, CompensateError, ModelTool, ProgramFrames, Reason, Request, find, language_of,
 };
 use truepose::sessions::load;
 
@@ -57,7 +57,7 @@ pub(crate) fn request<'a>(
         bytes,
         language: find(language).unwrap(),
         file: None,
-        beside: None,
+        beside: Vec::new(),
         load_kg: 0.0,
         start: None,
         frame: None,
@@ -348,7 +348,9 @@ fn fanuc_is_changed_in_its_positions_and_nowhere_else() {
         let corrected = if position.contains("J1=") {
             (1..7).map(|k| field(&format!("J{k}=")) * DEG).collect()
         } else {
-            let at = ["X =", "Y =", "Z ="].map(field);
+            // The world begins at the height of axis 2.
+            let mut at = ["X =", "Y =", "Z ="].map(field);
+            at[2] += 290.0;
             let [w, p, r] = ["W =", "P =", "R ="].map(field);
             robot.nominal_inverse(&from_zyx(&at, [r, p, w]), &q)
         };
@@ -1053,6 +1055,166 @@ fn fanuc_positions_of_other_user_frames_and_tools_are_left() {
         ..request_of(&tools)
     });
     assert!(error.unwrap_err().to_string().contains("no such tool"));
+}
+
+/// A listing of one pose with a configuration, `KONFIG` where the controller speaks German.
+fn listed(head: &str, word: &str, configuration: &str) -> String {
+    format!(
+        "/PROG A\n/ATTR\n{head}\n/MN\n 1:J P[1] 9% CNT100 ;\n/POS\nP[1]{{ GP1: UF : 0, UT : 1, {word} : \
+         '{configuration}', X = 162.222 mm, Y = 61.710 mm, Z = 296.163 mm, W = -46.7269 deg, P = -26.4136 deg, \
+         R = -141.3534 deg }};\n"
+    )
+}
+
+#[test]
+fn fanuc_configurations_of_a_german_listing_are_those_of_the_english_one() {
+    for configuration in ["N U T, 0, 0, 0", "F U T, 0, 0, 0"] {
+        let values = |head, word| {
+            let answer = compensated("fanuc-ls", listed(head, word, configuration).as_bytes());
+            answer.targets[0].result.as_ref().unwrap().commanded.clone()
+        };
+        let english = values("OWNER = X;", "CONFIG");
+        assert_eq!(values("EIGN. = X;", "KONFIG"), english);
+        // Joint 5 of the arm is on the side that the letter says.
+        assert_eq!(
+            english[4] < 0.0,
+            configuration.starts_with('N'),
+            "{english:?}"
+        );
+    }
+}
+
+/// A KRL program and a listing that go to the same place: the world of a FANUC begins on axis 1 at the height of
+/// axis 2, 290 mm above the base of this arm.
+#[test]
+fn fanuc_poses_are_in_the_world_of_the_controller() {
+    let krl = "PTP {X 162.222,Y 61.710,Z 586.163,A -141.3534,B -26.4136,C -46.7269,S 0,T 18}\n";
+    let start = Some(vec![2.2, 0.5, -0.1, -0.6, -0.4, -2.7]);
+    let of = |language, text: &str| {
+        let request = Request {
+            start: start.clone(),
+            ..request(arm(), text.as_bytes(), language)
+        };
+        pipeline::compensate(&request).unwrap()
+    };
+    let krl = of("krl", krl);
+    let listing = of(
+        "fanuc-ls",
+        &listed("OWNER = X;", "CONFIG", "N U T, 0, 0, 0"),
+    );
+    let values = |answer: &Answer| answer.targets[0].result.clone().map(|w| w.commanded);
+    let (a, b) = (values(&krl), values(&listing));
+    let off = a
+        .iter()
+        .flatten()
+        .zip(b.iter().flatten())
+        .map(|(a, b)| (a - b).abs());
+    assert!(a.is_ok() && off.fold(0.0, f64::max) < 1e-9, "{a:?} {b:?}");
+    let notes: Vec<String> = listing.notes.iter().map(ToString::to_string).collect();
+    assert!(
+        notes.iter().any(|note| note.contains("Z 290 mm")),
+        "{notes:?}"
+    );
+}
+
+/// Tools and user frames as a backup lists them: a frame is in the world.
+#[test]
+fn fanuc_frames_and_tools_come_from_the_backup_of_the_controller() {
+    let system = "[*SYSTEM*]$MNUFRAME  Storage: SHADOW  Access: RW  : ARRAY[1,9] OF POSITION\n    [1,1] = \n  \
+                  Group: 1   Config: N D B, 0, 0, 0\n  X:   100.000   Y:      .000   Z:    50.000\n  W:     0.000   P:     \
+                  0.000   R:     0.000\n[*SYSTEM*]$MNUTOOL  Storage: SHADOW  Access: RW  : ARRAY[2,9] OF POSITION\n    \
+                  [1,1] = \n  Group: 1   Config: N D B, 0, 0, 0\n  X:     0.000   Y:     0.000   Z:     0.000\n  W:     \
+                  0.000   P:     0.000   R:     0.000\n    [2,1] = \n  Group: 1   Config: N D B, 0, 0, 0\n  X:     9.000   Y:     \
+                  0.000   Z:     0.000\n  W:     0.000   P:     0.000   R:     0.000\n[*SYSTEM*]$MNUTOOLNUM  Storage: \
+                  SHADOW\n    [1,1] = 7\n";
+    let in_world = listed("OWNER = X;", "CONFIG", "N U T, 0, 0, 0");
+    let in_frame = in_world
+        .replace("UF : 0", "UF : 1")
+        .replace("X = 162.222", "X = 62.222")
+        .replace("Z = 296.163", "Z = 246.163");
+    let beside = vec![Beside {
+        path: Path::new("SYSFRAME.VA"),
+        bytes: system.as_bytes(),
+        named: true,
+    }];
+    let corrected = |text: &str, beside: Vec<Beside>| {
+        let request = Request {
+            beside,
+            frames: ProgramFrames::as_programmed(),
+            ..request(arm(), text.as_bytes(), "fanuc-ls")
+        };
+        pipeline::compensate(&request).unwrap()
+    };
+    let alone = corrected(&in_frame, Vec::new());
+    assert_eq!(
+        alone.targets[0].result.as_ref().unwrap_err().reason,
+        Reason::Frame
+    );
+    let [one, other] = [&in_world, &in_frame].map(|text| corrected(text, beside.clone()));
+    let values = |answer: &Answer| answer.targets[0].result.clone().unwrap().commanded;
+    let off = values(&one)
+        .iter()
+        .zip(values(&other))
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max);
+    assert!(off < 1e-9, "{off}");
+    assert!(!String::from_utf8(other.bytes).unwrap().contains("MNUTOOL"));
+}
+
+/// Tools and bases of the controller's own list, and what is wrong with it.
+#[test]
+fn krl_tools_and_bases_come_from_the_list_of_the_controller() {
+    let program = "DEF m()\nBAS(#TOOL,2)\nBAS(#BASE,1)\nLIN {X 62.222,Y 61.710,Z 536.163,A -141.3534,B -26.4136,C \
+                   -46.7269,S 0,T 18}\nEND\n";
+    let list = "DEFDAT $CONFIG\nBASE_DATA[1]={x 100.0,y 0.0,z 50.0,a 0.0,b 0.0,c 0.0}\nTOOL_DATA[2]={x 0.0,y 0.0,z \
+                0.0,a 0.0,b 0.0,c 0.0}\nENDDAT\n";
+    let corrected = |list: Option<&str>| {
+        let beside = list.map(|list| Beside {
+            path: Path::new("$config.dat"),
+            bytes: list.as_bytes(),
+            named: true,
+        });
+        pipeline::compensate(&Request {
+            beside: beside.into_iter().collect(),
+            frames: ProgramFrames::as_programmed(),
+            start: Some(vec![2.2, 0.5, -0.1, -0.6, -0.4, -2.7]),
+            ..request(arm(), program.as_bytes(), "krl")
+        })
+    };
+    let alone = corrected(None).unwrap();
+    assert_eq!(
+        alone.targets[0].result.as_ref().unwrap_err().reason,
+        Reason::Frame
+    );
+    let answer = corrected(Some(list)).unwrap();
+    assert_eq!(
+        (answer.targets.len(), answer.left()),
+        (1, 0),
+        "{:?}",
+        answer.targets
+    );
+    assert_eq!(answer.bytes.iter().filter(|b| **b == b'\n').count(), 5);
+    // What is wrong with the list is said with its own place.
+    let wrong = corrected(Some("DEFDAT $CONFIG\nDECL E6POS XP={X 1,Y 2,Z\nENDDAT\n"));
+    let says = wrong.unwrap_err().to_string();
+    assert!(says.starts_with("$config.dat, line 2"), "{says}");
+}
+
+#[test]
+fn a_fanuc_listing_in_another_language_is_refused_with_what_to_do() {
+    let text = listed(
+        "PROPRIETARIO = X;\nGRUPO = 1,*,*,*,*;",
+        "CONFIG",
+        "N U T, 0, 0, 0",
+    );
+    let error = pipeline::compensate(&request_of(&text))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("line 3, column 1") && error.contains("PROPRIETARIO"),
+        "{error}"
+    );
+    assert!(error.contains("English"), "{error}");
 }
 
 fn request_of(program: &str) -> Request<'_> {

@@ -244,7 +244,7 @@ fn the_hidden_robot_is_nearer_to_the_drawing_with_it() {
             bytes: text.as_bytes(),
             language: find("csv").unwrap(),
             file: None,
-            beside: None,
+            beside: Vec::new(),
             load_kg: 0.0,
             start: None,
             frame: None,

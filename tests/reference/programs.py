@@ -266,6 +266,10 @@ def urscript(poses, shown):
     return "\n".join(lines) + "\n"
 
 
+# The world of a FANUC begins on axis 1 at the height of axis 2.
+WORLD = np.array([0.0, 0, 290])
+
+
 def fanuc(poses, shown, behind):
     moves, positions = [], []
     for k, (pose, q) in enumerate(zip(poses, shown)):
@@ -277,7 +281,7 @@ def fanuc(poses, shown, behind):
             c, b, a = zyx(pose[:3, :3])[::-1]
             turns = ", ".join(str(int(np.round(q[i] / 360))) for i in (0, 3, 5))
             letters = f"{'N' if q[4] < 0 else 'F'} U {'B' if behind[k] else 'T'}"
-            at = [f"{n} = {v:9.3f}  mm" for n, v in zip("XYZ", pose[:3, 3])]
+            at = [f"{n} = {v:9.3f}  mm" for n, v in zip("XYZ", pose[:3, 3] - WORLD)]
             turn = [f"{n} = {v:9.4f} deg" for n, v in zip("WPR", (c, b, a))]
             body = f"\tUF : 0, UT : 1,\t\tCONFIG : '{letters}, {turns}',\n\t" + ",\t".join(at) + ",\n\t" + ",\t".join(turn)
         name = ':"home \xe9"' if k == 1 else ""

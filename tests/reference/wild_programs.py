@@ -189,7 +189,7 @@ def written(language, tool, poses, shown, behind):
         moves.append(f"{k + 1}:J P[{k + 1}] 9% FINE ;")
         turns = ", ".join(str(int(np.round(q[i] / 360))) for i in (0, 3, 5))
         letters = f"{'N' if q[4] < 0 else 'F'} U {'B' if behind[k] else 'T'}"
-        numbers = [f"{n} = {v:.6f} mm" for n, v in zip("XYZ", pose[:3, 3])]
+        numbers = [f"{n} = {v:.6f} mm" for n, v in zip("XYZ", pose[:3, 3] - p.WORLD)]
         numbers += [f"{n} = {v:.8f} deg" for n, v in zip("WPR", p.zyx(pose[:3, :3])[::-1])]
         positions.append(f"P[{k + 1}]{{\n GP1:\n UF : 0, UT : 3, CONFIG : '{letters}, {turns}',\n {', '.join(numbers)}\n}};")
     return "\n".join(["/PROG M", "/MN", *moves, "/POS", *positions, "/END", ""])
@@ -219,7 +219,7 @@ def poses_in(language, text, count):
     else:
         for block in text.split("P[")[-count:]:
             v = [float(x) for x in re.findall(rf"[XYZWPR] = ({number})", block)]
-            out.append(zyx_pose([*v[:3], *v[:2:-1]]))
+            out.append(zyx_pose([*(v[:3] + p.WORLD), *v[:2:-1]]))
     return out
 
 

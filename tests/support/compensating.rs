@@ -23,7 +23,7 @@ pub const HELD: [(&str, &[u8]); 5] = [
     ("rapid", b"MODULE m\nPERS tooldata tGun:=[TRUE,[[1,2,3],[1,0,0,0]],[1,[0,0,9],[1,0,0,0],0,0,0]];\nPERS tooldata tPen:=[TRUE,[[1,2,43],[1,0,0,0]],[1,[0,0,9],[1,0,0,0],0,0,0]];\nPERS wobjdata fix:=[FALSE,TRUE,\"\",[[100,40,-30],[1,0,0,0]],[[0,0,5],[0.7071068,0,0,0.7071068]]];\nPERS loaddata part:=[0.5,[0,0,9],[1,0,0,0],0,0,0];\nCONST robtarget p0:=[[-119.439,-308.923,135.747],[0.1694550,0.6437920,0.0197921,-0.7459396],[0,0,0,1],[9E9,9E9,9E9,9E9,9E9,9E9]];\nCONST robtarget p1:=[[162.222,61.710,586.163],[0.2102361,-0.3256699,0.2949246,-0.8733609],[0,0,1,1],[9E9,9E9,9E9,9E9,9E9,9E9]];\nCONST jointtarget j:=[[106,65,-25,-63,-53,-18],[9E9,9E9,9E9,9E9,9E9,9E9]];\nGripLoad part;\nMoveJ p0,v9,fine,tGun\\WObj:=fix;\nMoveAbsJ j,v9,fine,tGun;\nMoveL p1,v9,fine,tPen;\nENDMODULE\n"),
     ("krl", b"DEF m()\nDECL FRAME FIX\nFIX={X 100,Y 40,Z -30,A 90,B 0,C 0}\nPEN={FRAME: X 1,Y 2,Z 43,A 0,B 0,C 0}\nXP0={X -119.439,Y -308.923,Z 140.747,A -116.5595,B 75.2773,C 47.9314,S 0,T 'B010000'}\nXP1={X 162.2216,Y 61.7095,Z 586.1627,A -141.3534,B -26.4136,C -46.7269,S 0,T 18}\n$TOOL={X 1,Y 2,Z 3,A 0,B 0,C 0}\n$LOAD={M 2.5,CM {X 0,Y 0,Z 9,A 0,B 0,C 0},J {X 0,Y 0,Z 0}}\n$BASE=FIX\nPTP XP0\nPTP {A1 106,A2 65,A3 -25,A4 -63,A5 -53,A6 -18}\n$BASE=$NULLFRAME\n$TOOL=PEN\nLIN XP1\nEND\n"),
     ("urscript", b"def m():\n set_payload(2.5,[0,0,.1])\n set_tcp(p[.001,.002,.003,0,0,0])\n movel(p[0.408923,-0.079439,0.110747,1.003489,1.067146,-0.927076])\n movej([2.21,.54,-.13,-.69,-.37,-2.74])\n set_tcp(p[.001,.002,.043,0,0,0])\n movej(get_inverse_kin(p[0.162222,0.06171,0.586163,-0.905393,0.819918,-2.428025],qnear=[2.2,.5,-.1,-.6,-.4,-2.7]))\nend\n"),
-    ("fanuc-ls", b"/PROG M\n/MN\n 1:UFRAME_NUM=1 ;PAYLOAD[2] ;\n 2:J P[1] 9% FINE ;\n 3:L P[2] 9mm/sec FINE ;\n/POS\nP[1]{\n GP1:\n UF : 1, UT : 1, CONFIG : 'N U T, 0, 0, 0',\n X = 408.923 mm, Y = -79.439 mm, Z = 110.747 mm,\n W = 47.9314 deg, P = 75.2773 deg, R = -26.5595 deg\n};\nP[2]{\n GP1:\n UF : 1, UT : 2,\n J1= 106 deg, J2= 65 deg, J3= -25 deg,\n J4= -63 deg, J5= -53 deg, J6= -18 deg\n};\n/END\n"),
+    ("fanuc-ls", b"/PROG M\n/MN\n 1:UFRAME_NUM=1 ;PAYLOAD[2] ;\n 2:J P[1] 9% FINE ;\n 3:L P[2] 9mm/sec FINE ;\n/POS\nP[1]{\n GP1:\n UF : 1, UT : 1, CONFIG : 'N U T, 0, 0, 0',\n X = 408.923 mm, Y = -79.439 mm, Z = -179.253 mm,\n W = 47.9314 deg, P = 75.2773 deg, R = -26.5595 deg\n};\nP[2]{\n GP1:\n UF : 1, UT : 2,\n J1= 106 deg, J2= 65 deg, J3= -25 deg,\n J4= -63 deg, J5= -53 deg, J6= -18 deg\n};\n/END\n"),
 ];
 
 const ARM: &[u8] = br#"{"name":"arm","joints":[
@@ -124,7 +124,7 @@ pub fn compensated(
         bytes,
         language,
         file: None,
-        beside: None,
+        beside: Vec::new(),
         load_kg: 1.5,
         start: (choice & 2 != 0).then(|| vec![0.1; robot.joints.len()]),
         frame: (choice & 1 != 0).then(|| placed([10.0, -20.0, 30.0])),

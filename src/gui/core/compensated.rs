@@ -9,8 +9,8 @@ use crate::kinematics::Pose;
 use crate::pipeline;
 use crate::present::compensation_v1::{Summary, document};
 use crate::programs::{
-    Answer, CompensateError, DifferingNumber, ExternalAxes, LANGUAGES, Precedence, ProgramFrames,
-    Request, beside, language_of,
+    Answer, Beside, CompensateError, DifferingNumber, ExternalAxes, LANGUAGES, Precedence,
+    ProgramFrames, Request, beside, language_of,
 };
 use crate::sessions::files::open::read_document;
 
@@ -145,7 +145,13 @@ fn corrected(
         bytes: &bytes,
         language,
         file: Some(path),
-        beside: beside.as_ref().map(|(bytes, path)| (&**path, &**bytes)),
+        beside: (beside.iter())
+            .map(|(bytes, path)| Beside {
+                path,
+                bytes,
+                named: false,
+            })
+            .collect(),
         load_kg: wanted.load_kg,
         start: None,
         frame: None,

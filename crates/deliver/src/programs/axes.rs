@@ -4,7 +4,8 @@
 //! `eax_a` … `eax_f`). A joint of the model that has the name of an external axis is that one; the others
 //! are the robot's, in order.
 
-use crate::kinematics::{JointKind, Robot};
+use crate::kinematics::{Joint, JointKind, Robot};
+use nalgebra::Vector3;
 
 use super::number::Number;
 use super::target::{Problem, Shape, Target};
@@ -24,6 +25,22 @@ pub struct Axes {
     /// The axis of each joint.
     slots: Vec<Slot>,
     kinds: Vec<JointKind>,
+    shoulder_mm: Option<Vector3<f64>>,
+}
+
+/// Axes whose directions have a larger product than this do not pass at right angles: errors of a real robot are
+/// thousandths, other shapes of arm are parallel.
+const NOT_RIGHT_ANGLED: f64 = 0.1;
+
+/// The point of the first axis that is nearest to the second.
+fn shoulder([one, two]: [&Joint; 2]) -> Option<Vector3<f64>> {
+    let turns = [one, two].iter().all(|j| j.kind == JointKind::Revolute);
+    let (along, other) = (one.axis.direction, two.axis.direction);
+    let product = along.dot(&other);
+    let between = two.axis.point_mm - one.axis.point_mm;
+    let t = (between.dot(&along) - product * between.dot(&other)) / (1.0 - product * product);
+    let is_one = turns && product.abs() < NOT_RIGHT_ANGLED;
+    is_one.then(|| one.axis.point_mm.coords + along.into_inner() * t)
 }
 
 /// Axes of one kind that a controller has.
@@ -40,10 +57,22 @@ impl Axes {
             own += 1;
             Slot::Own(own - 1)
         });
+        let slots: Vec<Slot> = slots.collect();
+        let own = |k: usize| slots.iter().position(|slot| *slot == Slot::Own(k));
+        let lines = own(0)
+            .zip(own(1))
+            .map(|(one, two)| [one, two].map(|k| &robot.joints[k]));
         Self {
-            slots: slots.collect(),
+            shoulder_mm: lines.and_then(shoulder),
+            slots,
             kinds: robot.joints.iter().map(|joint| joint.kind).collect(),
         }
+    }
+
+    /// Where axis 1 passes axis 2 at the robot's zero, mm in the base frame; of axes that do not pass at right
+    /// angles there is no such point.
+    pub(super) fn shoulder_mm(&self) -> Option<Vector3<f64>> {
+        self.shoulder_mm
     }
 
     /// Number of joints.

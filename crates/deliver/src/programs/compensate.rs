@@ -10,7 +10,7 @@ use nalgebra::{Rotation3, Vector3};
 
 use crate::effects::Term;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
-use crate::kinematics::{Axis, Robot};
+use crate::kinematics::{Axis, Joint, Robot};
 use crate::text::Text as Sentence;
 
 use super::answer::{Answer, Outcome, Reason, SkippedTarget, Written};
@@ -19,7 +19,7 @@ use super::convention::Convention;
 use super::corrected::corrected;
 use super::program::Program;
 use super::program_frames::Reading;
-use super::request::{CompensateError, Request, measured_frame};
+use super::request::{Beside, CompensateError, Request, measured_frame};
 use super::resolve::{Resolved, Resolver, left};
 use super::settle::settled;
 use super::target::{Remark, Shape, Target};
@@ -34,39 +34,95 @@ const ROUNDING: f64 = 1e-3;
 /// # Errors
 /// See [`CompensateError`].
 pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
-    let Some((file, beside)) = request.beside else {
+    let joined = Joined::of(request);
+    if joined.files.is_empty() {
         return of_whole(request, usize::MAX);
-    };
-    let beside = &beside[Text::new(beside).start()..];
-    let both = [request.bytes, b"\n", beside].concat();
-    let lines = Text::new(request.bytes).lines().len() as u64;
+    }
     let whole = Request {
-        bytes: &both,
+        bytes: &joined.bytes,
         ..request.clone()
     };
     let mut answer = match of_whole(&whole, request.bytes.len()) {
         Ok(answer) => answer,
-        // What is wrong with the other file is none of this one's.
-        Err(CompensateError::Rejected(_)) => return of_whole(request, usize::MAX),
+        Err(CompensateError::Rejected(mut rejected)) => {
+            let places = rejected.diagnostics.iter().map(|one| one.place.line);
+            let others = places.filter_map(|line| joined.file_of(line?));
+            if let Some(foreign) = others.map(|(file, _)| *file).find(|file| !file.named) {
+                // What is wrong with a file that merely lies there is none of this one's.
+                let mut fewer = request.clone();
+                fewer.beside.retain(|file| file.path != foreign.path);
+                return compensate(&fewer);
+            }
+            for one in &mut rejected.diagnostics {
+                if let Some((file, above)) = one.place.line.and_then(|line| joined.file_of(line)) {
+                    one.place.line = one.place.line.map(|line| line - above);
+                    one.place.file = Some(file.path.to_path_buf());
+                }
+            }
+            return Err(CompensateError::Rejected(rejected));
+        }
         Err(CompensateError::Differs(mut differences)) => {
-            for one in differences.0.iter_mut().filter(|one| one.place.0 > lines) {
-                one.place.0 -= lines;
-                one.name = format!("{} ({})", one.name, file.display());
+            for one in &mut differences.0 {
+                if let Some((file, above)) = joined.file_of(one.place.0) {
+                    one.place.0 -= above;
+                    one.name = format!("{} ({})", one.name, file.path.display());
+                }
             }
             return Err(CompensateError::Differs(differences));
         }
         Err(other) => return Err(other),
     };
-    answer.bytes.truncate(answer.bytes.len() - beside.len() - 1);
-    answer.targets.retain(|target| target.place.0 <= lines);
+    answer
+        .bytes
+        .truncate(answer.bytes.len() - (joined.bytes.len() - request.bytes.len()));
+    answer
+        .targets
+        .retain(|target| joined.is_own(target.place.0));
     for remarks in [&mut answer.at_run_time, &mut answer.remarks] {
-        remarks.retain(|(line, ..)| *line <= lines);
+        remarks.retain(|(line, ..)| joined.is_own(*line));
     }
-    answer.notes.push(text!(
-        "{file} is read with it: what is set and gone to there holds; its own targets are corrected where it is given itself",
-        file = file.display().to_string()
-    ));
+    for (file, _) in &joined.files {
+        answer.notes.push(text!(
+            "{file} is read with it: what is set and gone to there holds; its own targets are corrected where it is given itself",
+            file = file.path.display().to_string()
+        ));
+    }
     Ok(answer)
+}
+
+/// A file and those that are read with it, one after the other.
+struct Joined<'r> {
+    bytes: Vec<u8>,
+    /// Each with the lines above it.
+    files: Vec<(Beside<'r>, u64)>,
+}
+
+impl<'r> Joined<'r> {
+    fn of(request: &Request<'r>) -> Self {
+        let mut joined = Self {
+            bytes: request.bytes.to_vec(),
+            files: Vec::new(),
+        };
+        let mut above = Text::new(request.bytes).lines().len() as u64;
+        for file in &request.beside {
+            let bytes = &file.bytes[Text::new(file.bytes).start()..];
+            joined.bytes.push(b'\n');
+            joined.bytes.extend_from_slice(bytes);
+            joined.files.push((*file, above));
+            above += Text::new(bytes).lines().len() as u64;
+        }
+        joined
+    }
+
+    /// The file read with it in which a line is, and the lines above that file.
+    fn file_of(&self, line: u64) -> Option<(&Beside<'r>, u64)> {
+        let found = self.files.iter().rfind(|(_, above)| line > *above)?;
+        Some((&found.0, found.1))
+    }
+
+    fn is_own(&self, line: u64) -> bool {
+        self.file_of(line).is_none()
+    }
 }
 
 /// The same for a file of which only so many bytes are to be corrected.
@@ -283,6 +339,16 @@ fn read_back(
     Ok(())
 }
 
+/// Whether joints 2 and 3 of the model are parallel, and neither counts with the other.
+fn counts_the_third_joint_itself(request: &Request) -> bool {
+    let joints = &request.calibration.model.robot.joints;
+    let parallel = |a: &Joint, b: &Joint| a.axis.direction.dot(&b.axis.direction).abs() > 0.99;
+    let [_, two, three, ..] = &joints[..] else {
+        return false;
+    };
+    parallel(two, three) && !request.calibration.set_up.moves_joints()
+}
+
 /// What was assumed, in words.
 fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<Sentence> {
     let mut notes = reading.notes.clone();
@@ -307,6 +373,22 @@ fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<Sentenc
                 "poses for which the file declares no frame are read in the frame that was stated; the tool of the controller has to be the model's where the file has one tool only"
             )
         });
+    }
+    let joints = program.targets.iter().any(|target| !target.is_pose());
+    if joints && request.language.id == "fanuc-ls" && counts_the_third_joint_itself(request) {
+        notes.push(text!(
+            "joint values are read as the model counts them: J3 of many FANUC arms is counted from the horizontal (J2 + J3), and then has to be in the model's session as well"
+        ));
+    }
+    let world = program.base_from_world.translation.vector;
+    if poses && world.norm() > ROUNDING {
+        let [x, y, z] = [world.x, world.y, world.z].map(|mm| (mm * 1e3).round() / 1e3);
+        notes.push(text!(
+            "poses and user frames are in the world of the controller, which begins on axis 1 at the height of axis 2: X {x}, Y {y}, Z {z} mm in the robot's base",
+            x,
+            y,
+            z
+        ));
     }
     if let Some(frame) = measured_frame(request.calibration) {
         notes.push(if request.measured_frame {

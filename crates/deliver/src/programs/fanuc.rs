@@ -12,11 +12,17 @@
 //! N means that joint 5 is negative (F: positive), U and D say on which side of the lower arm the wrist
 //! is, T and B on which side of axis 1, both against the robot's zero; the numbers are whole turns of
 //! joints 1, 4 and 6. A move goes to a position in the frame and with the tool that the position names; the
-//! controller stops where `UFRAME_NUM` and `UTOOL_NUM` are others.
+//! controller stops where `UFRAME_NUM` and `UTOOL_NUM` are others. User frames are in the world, whose origin is on
+//! axis 1 where it passes axis 2 at the robot's zero, and whose axes are those of the base. A controller whose
+//! language is German lists its words in German ([`wording`]).
 
+mod frames;
 mod positions;
+mod wording;
 
 use super::program::not_in_numbers;
+use crate::kinematics::Pose;
+use nalgebra::UnitQuaternion;
 use std::ops::Range;
 
 use super::axes::Axes;
@@ -24,8 +30,9 @@ use super::program::Program;
 use super::referred::{BASE, MODE, Referred, Set, TOOL};
 use super::target::Problem;
 use super::text::Text;
-use super::walk::{Constant, Walk, walked};
+use super::walk::{Constant, Grammar, Walk, walked};
 use super::words::{Dialect, Kind, Words, is_one_of};
+use wording::{Wording, in_english};
 
 /// Positions end with their bracket and a semicolon.
 static POSITIONS: Dialect = Dialect {
@@ -66,10 +73,14 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     axes.check_own("E1 to E3")?;
-    let [tracks, moves, positions] = sections(text);
+    let [attributes, tracks, moves, positions] = sections(text);
+    let motion: Grammar = match Wording::of(text, attributes).map_err(|problem| vec![problem])? {
+        Wording::English => |walk, words| motion(walk, words, |_| true),
+        Wording::German => |walk, words| motion(walk, words, wording::is_known_in_german),
+    };
     let pieces = [
         (positions, &POSITIONS, positions::position as _),
-        (moves, &MOVES, motion as _),
+        (moves, &MOVES, motion),
     ];
     walked(
         text,
@@ -77,6 +88,11 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         &pieces,
         |walk| {
             walk.program.declare_no_tool("UT 0");
+            if let Some(shoulder) = axes.shoulder_mm() {
+                walk.program.base_from_world =
+                    Pose::from_parts(shoulder.into(), UnitQuaternion::identity());
+            }
+            frames::declare(&mut walk.program, text);
             if !tracks.is_empty() {
                 let says = text!("the program tracks a conveyor, which moves its frame");
                 walk.set(MODE, Referred::Unknown(says));
@@ -86,22 +102,25 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     )
 }
 
-/// Where a conveyor is named that the program tracks, the lines of `/MN`, and those of `/POS`.
-fn sections(text: &Text) -> [Range<usize>; 3] {
-    let mut found = [0..0, 0..0, 0..0];
+/// The lines of `/ATTR`, where a conveyor is named that the program tracks, the lines of `/MN`, and those of `/POS`.
+fn sections(text: &Text) -> [Range<usize>; 4] {
+    let mut found = [0..0, 0..0, 0..0, 0..0];
     let mut section = None;
     for line in text.lines() {
         let bytes = text.bytes[line.clone()].trim_ascii();
         if bytes.starts_with(b"/") && !bytes.starts_with(b"//") {
-            let heads: [&[u8]; 3] = [b"/APPL", b"/MN", b"/POS"];
+            let heads: [&[u8]; 4] = [b"/ATTR", b"/APPL", b"/MN", b"/POS"];
             section = heads.iter().position(|head| bytes.starts_with(head));
-            if let Some(section) = section.filter(|section| *section > 0) {
+            if let Some(section) = section.filter(|section| *section != 1) {
                 found[section] = line.end..line.end;
             }
-        } else if section == Some(0) {
+        } else if bytes.starts_with(b"[*SYSTEM*]") {
+            // Of a backup that is read with it.
+            section = None;
+        } else if section == Some(1) {
             let schedule = bytes.strip_prefix(b"LINE_TRACK_SCHEDULE_NUMBER");
             if schedule.is_some_and(|rest| rest.iter().any(|b| matches!(b, b'1'..=b'9'))) {
-                found[0] = line;
+                found[1] = line;
             }
         } else if let Some(section) = section {
             found[section].end = line.end;
@@ -110,9 +129,9 @@ fn sections(text: &Text) -> [Range<usize>; 3] {
     found
 }
 
-/// One statement of `/MN`.
+/// One statement of `/MN`; a motion with a word that is not known goes where nobody can say.
 #[allow(clippy::unnecessary_wraps, reason = "as every grammar is called")]
-fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
+fn motion(walk: &mut Walk, words: &Words, is_known: fn(&str) -> bool) -> Result<(), Problem> {
     let mut k = usize::from(words.kind(0) == Some(Kind::Digits));
     if !words.is_sign(k, b':') && k > 0 {
         return Ok(());
@@ -121,7 +140,7 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     k += (k..words.len())
         .take_while(|j| words.is_sign(*j, b':'))
         .count();
-    let (first, at) = (words.name(k), words.at(k));
+    let (first, at) = (in_english(words.name(k)), words.at(k));
     let letter = is_one_of(&first, "j l c a s") && words.is_name(k + 1);
     let touching = is_one_of(&first, "jp lp cp ap sp");
     let goes_on = first == "p" && words.assigns(k).is_none();
@@ -134,7 +153,7 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     let mut j = k;
     while j < words.len() {
         if words.is_name(j) {
-            own.push((j, words.name(j)));
+            own.push((j, in_english(words.name(j))));
         }
         let open = words.is_sign(j, b'[') || words.is_sign(j, b'(');
         j = if open {
@@ -148,7 +167,11 @@ fn motion(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
             .map(|(_, name)| name)
             .find(|name| is_one_of(name, names))
     };
-    let by = first_of("inc offset tool_offset voffset");
+    let unknown = own
+        .iter()
+        .map(|(_, name)| name)
+        .find(|name| !is_known(name));
+    let by = first_of("inc offset tool_offset voffset").or(unknown);
     let mut mode = walk.held(MODE).clone();
     if first_of("coord").is_some() {
         mode = Referred::Unknown(text!("another group moves its frame (COORD)"));
@@ -236,7 +259,7 @@ fn held_in(walk: &Walk, key: &str, mode: Referred) -> [Set; 3] {
 
 /// `UTOOL[n]=…`, `UFRAME_NUM=…`, `PAYLOAD[n]`, `P[n]=…`, calls, and where lines are jumped to.
 fn instruction(walk: &mut Walk, words: &Words, k: usize) {
-    let (first, at) = (words.name(k), words.at(k));
+    let (first, at) = (in_english(words.name(k)), words.at(k));
     let number = words.spelled(k + 2);
     let indexed = words.is_sign(k + 1, b'[');
     let part = if first.starts_with("utool") {

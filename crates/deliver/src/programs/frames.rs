@@ -6,7 +6,7 @@
 //! tool_from_model      = (flange_from_tool)⁻¹ · flange_from_model
 //! ```
 //!
-//! X is the pose as the file writes it. A declared frame is in the robot's base. A pose that names no
+//! X is the pose as the file writes it. A frame is in the controller's base: the robot's, of FANUC its world. A pose that names no
 //! frame is in the one that the caller states, and so is one whose frame is declared elsewhere, if it is
 //! the only such frame and the caller states one. What holds of a program's tools and frames is settled
 //! before ([`super::program_frames`]).
@@ -128,7 +128,8 @@ impl<'a> Known<'a> {
             });
         }
         Ok(Placement {
-            base_from_frame: self.frame(one.map_or(&Referred::Unsaid, |way| &way[BASE]))?,
+            base_from_frame: self.program.base_from_world
+                * self.frame(one.map_or(&Referred::Unsaid, |way| &way[BASE]))?,
             tool_from_model: match (one, &self.reading.tool) {
                 (Some(way), _) => self.tool(&way[TOOL])?,
                 (None, ToolReading::Given(tool_from_model)) => *tool_from_model,

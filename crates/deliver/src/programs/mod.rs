@@ -57,7 +57,7 @@ pub use program::Program;
 pub use program_frames::{
     Difference, Differences, DifferingNumber, ExternalAxes, ModelTool, Precedence, ProgramFrames,
 };
-pub use request::{CompensateError, Request};
+pub use request::{Beside, CompensateError, Request};
 pub use target::{Circumstances, Posture, Remark, Shape, Target};
 pub use text::Text;
 pub use write::{Stop, stops};

@@ -25,7 +25,9 @@ pub struct Program {
     pub(super) ways: Ways,
     /// Loads that the file states.
     pub(super) loads: StatedLoads,
-    /// Frames that the file declares, in the robot's base, and tools, on the flange.
+    /// Where the controller's own base is in the robot's base.
+    pub(super) base_from_world: Pose,
+    /// Frames that the file declares, in the controller's base, and tools, on the flange.
     pub(super) declared: [Names; 2],
     /// External axes that the model does not have, as targets say where they are; each way once.
     pub(super) outside: Vec<Outside>,

@@ -24,8 +24,8 @@ pub struct Request<'a> {
     pub language: &'static Language,
     /// Its name, for messages.
     pub file: Option<&'a Path>,
-    /// The file that belongs to it, as a `.dat` does to its `.src`, and its name: what is set and gone to there holds.
-    pub beside: Option<(&'a Path, &'a [u8])>,
+    /// Files that are read with it: what is declared, set and gone to there holds.
+    pub beside: Vec<Beside<'a>>,
     /// Load at the tool's origin where the file says none, kg.
     pub load_kg: f64,
     /// Joint values before the first target, rad or mm.
@@ -40,6 +40,18 @@ pub struct Request<'a> {
     /// Whether the frame in which the session was measured, brought into the base, is the robot's base,
     /// so that what the first joint shares with it is corrected too.
     pub measured_frame: bool,
+}
+
+/// A file that is read with the one that is corrected, and not corrected itself.
+#[derive(Debug, Clone, Copy)]
+pub struct Beside<'a> {
+    /// Its name, for messages.
+    pub path: &'a Path,
+    /// Its content.
+    pub bytes: &'a [u8],
+    /// Whether the caller named it: what is wrong with it is reported. A file that merely lies there, as a `.dat`
+    /// does beside its `.src`, is then not read.
+    pub named: bool,
 }
 
 /// Why nothing was corrected.

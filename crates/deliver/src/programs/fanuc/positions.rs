@@ -11,6 +11,7 @@ use super::super::pose::{Frame, Orientation};
 use super::super::target::{Problem, Remark, Shape, Target};
 use super::super::walk::{Constant, Declared, Walk};
 use super::super::words::{Kind, Words};
+use super::wording::in_english;
 use crate::text::Text;
 
 /// A number with its unit; without a number: `********`, never taught.
@@ -113,7 +114,7 @@ fn group(words: &Words, mut k: usize) -> Result<(Group, usize), Problem> {
         ..Group::default()
     };
     while words.is_name(k) && group_number(words, k).is_none() {
-        let (key, at) = (words.name(k), words.at(k));
+        let (key, at) = (in_english(words.name(k)), words.at(k));
         k += 1;
         if words.is_sign(k, b':') {
             match key.as_str() {

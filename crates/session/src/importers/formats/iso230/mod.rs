@@ -4,12 +4,14 @@
 //! Long: a row for each measurement, with target, direction, run and position. Wide: a row for each
 //! target, and a column for each run and direction, whose heading says both (`Run 1 +`, `2↓`). A
 //! position may be given as the deviation from its target; then a heading says so, or the numbers
-//! leave no doubt and the program says so.
+//! leave no doubt and the program says so. The file of a laser's own software is read too ([`sections`]).
 //!
 //! Time goes run by run; within a run of a wide table upwards first, and then downwards.
 
 mod in_units;
+mod measurement;
 mod parts;
+mod sections;
 
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
@@ -28,6 +30,7 @@ use crate::tables::{Complaints, Grid};
 use crate::text::{Template, Text};
 
 use in_units::{Units, units_of};
+use measurement::Measurement;
 use parts::{TableColumn, headings, parts};
 
 pub(crate) static IMPORTER: Importer = Importer {
@@ -52,18 +55,16 @@ pub(crate) static IMPORTER: Importer = Importer {
     read,
 };
 
-/// One measurement, in the order of the file.
-#[derive(Debug, Clone, Copy)]
-struct Measurement {
-    run: u64,
-    dir: f64,
-    target: f64,
-    measured: f64,
-    line: u64,
-}
-
 /// Reads the runs of an axis.
 fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
+    if sections::is_one(context.text) {
+        let list = sections::runs(context);
+        context.found.rows = list.len();
+        if list.is_empty() && !context.is_open() {
+            context.refuse(text!("no sample"), text!("at least one"));
+        }
+        return (!context.is_open()).then(|| columns(context, &list, true, sections::UNITS));
+    }
     let grid = context.grid()?;
     let headings = headings(&grid);
     let parts = parts(context, &grid, &headings)?;
