@@ -1193,7 +1193,10 @@ fn krl_tools_and_bases_come_from_the_list_of_the_controller() {
         "{:?}",
         answer.targets
     );
-    assert_eq!(answer.bytes.iter().filter(|b| **b == b'\n').count(), 5);
+    assert_eq!(
+        String::from_utf8_lossy(&answer.bytes).matches('\n').count(),
+        5
+    );
     // What is wrong with the list is said with its own place.
     let wrong = corrected(Some("DEFDAT $CONFIG\nDECL E6POS XP={X 1,Y 2,Z\nENDDAT\n"));
     let says = wrong.unwrap_err().to_string();

@@ -35,6 +35,9 @@ impl Scanned {
     }
 }
 
+/// Columns of all settings of a term, and how many each has.
+type Settings = (usize, DMatrix<f64>);
+
 /// Which term, at which of its settings, with which coefficients.
 pub(super) type Exchanged = (usize, usize, DVector<f64>);
 
@@ -65,11 +68,7 @@ struct Sums {
 
 impl Sums {
     /// Settings come with the number of columns of each.
-    fn of(
-        columns: &DMatrix<f64>,
-        residual: &DVector<f64>,
-        settings: &[(usize, DMatrix<f64>)],
-    ) -> Self {
+    fn of(columns: &DMatrix<f64>, residual: &DVector<f64>, settings: &[Settings]) -> Self {
         Self {
             gram: gram(columns),
             along: columns.tr_mul(residual),
@@ -165,7 +164,7 @@ impl Fitted {
     ) -> Self {
         let columns = white.select_columns(&basis.kept);
         let settings = terms.iter().map(|t| (t.size(), t.white.clone()));
-        let settings: Vec<(usize, DMatrix<f64>)> = settings.collect();
+        let settings: Vec<Settings> = settings.collect();
         Self {
             all: Sums::of(&columns, &residual, &settings),
             kept: basis.kept.clone(),
@@ -194,7 +193,7 @@ impl Fitted {
         (0..self.kept.len()).filter(|k| !own.contains(k)).collect()
     }
 
-    fn in_rows(&self, rows: &[usize]) -> (DMatrix<f64>, DVector<f64>, Vec<(usize, DMatrix<f64>)>) {
+    fn in_rows(&self, rows: &[usize]) -> (DMatrix<f64>, DVector<f64>, Vec<Settings>) {
         (
             self.columns.select_rows(rows),
             self.residual.select_rows(rows),
@@ -280,7 +279,7 @@ impl Fitted {
 
     /// Puts a setting's columns in the place of the term's own: what is to be explained is then what the fit leaves
     /// with what the term does in it.
-    fn exchange(&self, at: usize, setting: usize, stay: &mut Sums, out: &[(usize, DMatrix<f64>)]) {
+    fn exchange(&self, at: usize, setting: usize, stay: &mut Sums, out: &[Settings]) {
         let term = &self.terms[at];
         let own = self.places(term.first, term.size());
         stay.along += stay.gram.select_columns(&own) * &term.coefficients;

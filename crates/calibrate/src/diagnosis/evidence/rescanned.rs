@@ -170,8 +170,8 @@ impl<'f, 'a> Rescanned<'f, 'a> {
     }
 }
 
-/// What a term brings where it is chosen again, among all names with as many coefficients that may stand beside the
-/// others, without each share of the poses in turn.
+/// What a term brings where its joint and its setting are chosen again without each share of the poses in turn. (Among all
+/// names of as many coefficients one that is right lost to its neighbours: of 56 stars a telescope's encoder.)
 pub(crate) fn chosen_again(regression: &Regression, fit: &Fit, rest: &Fit, term: &Term) -> Gains {
     let rows = &regression.rows;
     let share = dealt(rows);
@@ -182,11 +182,8 @@ pub(crate) fn chosen_again(regression: &Regression, fit: &Fit, rest: &Fit, term:
             .collect()
     };
     let shares: Vec<Vec<usize>> = (0..SHARES).map(of_share).collect();
-    let with = Rescanned::of(
-        regression,
-        fit,
-        vec![any_instead(regression, fit, rest, term)],
-    );
+    let anywhere = anywhere(regression, fit, rest, term);
+    let with = Rescanned::of(regression, fit, vec![anywhere]);
     let without = Rescanned::as_it_is(regression, rest);
     let mut squares = vec![[0.0; 2]; n];
     for (k, of) in [without, with].into_iter().enumerate() {
@@ -199,18 +196,19 @@ pub(crate) fn chosen_again(regression: &Regression, fit: &Fit, rest: &Fit, term:
     Gains::of(rows, &squares)
 }
 
-/// A term with all names that may stand in its place and have as many coefficients.
-fn any_instead(regression: &Regression, fit: &Fit, rest: &Fit, term: &Term) -> Scanned {
-    let size = term.coefficients.len();
+/// A term with all joints and settings that may stand in the place of its own.
+fn anywhere(regression: &Regression, fit: &Fit, rest: &Fit, term: &Term) -> Scanned {
     let before = fit.model.terms().iter();
     let before = before.take_while(|t| !t.same_column(term));
     let there = regression.added(rest);
+    let id = term.effect.about().id;
     let all = regression.table.candidates.iter().enumerate();
-    let candidates = all.filter(|(_, c)| {
-        let named = c.what.term();
-        c.size == size && named.is_some_and(|t| compatible(&there, t))
+    let own = all.filter(|(_, candidate)| {
+        let named = candidate.what.term();
+        candidate.size == term.coefficients.len()
+            && named.is_some_and(|t| t.effect.about().id == id && compatible(&there, t))
     });
-    let candidates: Vec<usize> = candidates.map(|c| c.0).collect();
+    let candidates: Vec<usize> = own.map(|own| own.0).collect();
     let of_table = candidates.iter().map(|i| &regression.table.candidates[*i]);
     Scanned {
         first: before.map(|t| t.coefficients.len()).sum(),
