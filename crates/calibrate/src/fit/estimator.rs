@@ -28,6 +28,7 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
         return of_all_kinds(problem, solution);
     }
     let mut left = Deviations::default();
+    let mut may_not_repeat = false;
     for round in 0..budget::ROUNDS {
         if solution.stopped == Stopped::Cancelled {
             break;
@@ -39,8 +40,17 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
         let used: Vec<bool> = kept.collect();
         let same = used == problem.used;
         problem.used = used;
-        let noise = (round < MOST_NOISE)
-            .then(|| noise_beside(problem, &solution.model, &solution.extra_coefficients));
+        // A joint that stood elsewhere in a few rows looks like one that does not repeat: those rows go first.
+        let first_time = same && !may_not_repeat;
+        may_not_repeat |= same;
+        let noise = (round < MOST_NOISE || first_time).then(|| {
+            let (model, extra) = (&solution.model, &solution.extra_coefficients);
+            if may_not_repeat {
+                noise_beside(problem, model, extra)
+            } else {
+                noise_of_rows(problem, rows(problem), model, extra)
+            }
+        });
         let before = problem.noise.clone();
         let known = |n: &Noise| before.as_ref().is_some_and(|b| b.whitens_like(n));
         if same && noise.as_ref().is_none_or(known) {
@@ -142,13 +152,27 @@ fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
     }
 }
 
-/// The noise that a model leaves in the samples that count.
-pub(crate) fn noise_beside(problem: &Problem, model: &Model, extra_coefficients: &[f64]) -> Noise {
-    let rows = match stretches(problem) {
+/// The rows that tell the noise.
+fn rows<'a>(problem: &Problem<'a>) -> Rows<'a> {
+    match stretches(problem) {
         Some(samples) => Rows::of_samples(problem, samples),
         None => Rows::of(problem),
     }
-    .seen_by(model);
+}
+
+/// The noise that a model leaves in the samples that count.
+pub(crate) fn noise_beside(problem: &Problem, model: &Model, extra_coefficients: &[f64]) -> Noise {
+    let rows = rows(problem).seen_by(model);
+    noise_of_rows(problem, rows, model, extra_coefficients)
+}
+
+/// The same of some rows; what the joints do not repeat is not looked for where no model has seen them.
+fn noise_of_rows(
+    problem: &Problem,
+    rows: Rows,
+    model: &Model,
+    extra_coefficients: &[f64],
+) -> Noise {
     let (mut residual, columns) = rows.extract(model);
     let shapes: Vec<DVector<f64>> = problem
         .extra_columns
