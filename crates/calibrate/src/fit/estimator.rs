@@ -48,7 +48,7 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
             if may_not_repeat {
                 noise_beside(problem, model, extra)
             } else {
-                noise_of_rows(problem, rows(problem), model, extra)
+                noise_of_rows(problem, &rows(problem), model, extra)
             }
         });
         let before = problem.noise.clone();
@@ -163,13 +163,13 @@ fn rows<'a>(problem: &Problem<'a>) -> Rows<'a> {
 /// The noise that a model leaves in the samples that count.
 pub(crate) fn noise_beside(problem: &Problem, model: &Model, extra_coefficients: &[f64]) -> Noise {
     let rows = rows(problem).seen_by(model);
-    noise_of_rows(problem, rows, model, extra_coefficients)
+    noise_of_rows(problem, &rows, model, extra_coefficients)
 }
 
 /// The same of some rows; what the joints do not repeat is not looked for where no model has seen them.
 fn noise_of_rows(
     problem: &Problem,
-    rows: Rows,
+    rows: &Rows,
     model: &Model,
     extra_coefficients: &[f64],
 ) -> Noise {
@@ -189,10 +189,10 @@ fn noise_of_rows(
     }
     let stated = problem.session.instrument.sigma_mm;
     if problem.shows_time() {
-        return Noise::estimate_with_alternatives(stated, &rows, &residual, &columns);
+        return Noise::estimate_with_alternatives(stated, rows, &residual, &columns);
     }
     // What it may be besides is a noise that wanders in time as well.
-    Noise::estimate(stated, &rows, &residual, &columns).made_white()
+    Noise::estimate(stated, rows, &residual, &columns).made_white()
 }
 
 /// The samples of some stretches of a long problem.
