@@ -72,7 +72,8 @@ pub(crate) fn report(
 /// The noise of a problem, with what it says of the robot.
 fn noise_with_robot(problem: &Problem, model: &Model) -> Option<Noise> {
     let noise = problem.noise.clone()?;
-    let shows_robot = noise.joints_rad > 0.0;
+    // Of a pose that was measured once its own error is not told from what the geometry lacks.
+    let shows_robot = noise.joints_rad > 0.0 && problem.inputs.pose.is_some();
     let robot_mm = shows_robot.then(|| Rows::of(problem).seen_by(model).unrepeated_mm(&noise));
     Some(Noise {
         robot_mm: robot_mm.flatten(),
