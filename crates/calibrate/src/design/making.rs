@@ -11,7 +11,7 @@
 //! What the plan claims is checked on the session as it would be with the poses measured
 //! (`expected_information`): an effect counts as enabled only if nothing stands against it there.
 
-use super::plan_options::{POSES_OF_AN_ARM, PROPOSED};
+use super::plan_options::{POSES_BESIDE, POSES_OF_AN_ARM, PROPOSED};
 use crate::answers::pose::to_raw;
 use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
@@ -167,7 +167,7 @@ fn add_geometry(
 ) -> Result<(), PlanError> {
     let room = options.poses.map(|n| n - plan.poses.len());
     let arm = Arm::of_session(session, options)?.beside_planned(&plan.poses);
-    let wanted = room.unwrap_or(PROPOSED);
+    let wanted = room.unwrap_or(POSES_BESIDE);
     let (poses, geometry) = geometry::best(&arm, wanted, options.accuracy_mm)?;
     plan.poses.extend(conditioned(&arm, &poses));
     plan.geometry = Some(geometry);

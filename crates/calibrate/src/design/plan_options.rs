@@ -14,6 +14,8 @@ use super::named::Named;
 
 /// Poses that are proposed beside a session, and ways of measuring that are tried, at most.
 pub(super) const PROPOSED: usize = 24;
+/// Poses that shrink the intervals of a session, where nothing else is asked.
+pub(super) const POSES_BESIDE: usize = 20;
 /// Poses of a first measurement of several joints, where no number is given, beside some for each joint.
 pub(super) const POSES_OF_AN_ARM: usize = 40;
 /// Poses that a plan holds at most.

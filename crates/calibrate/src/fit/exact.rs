@@ -104,7 +104,9 @@ impl<'a> Fresh<'a> {
             } = base_model::fit(&mut problem, &start, priors);
             not_identifiable.extend(held);
             if let Some(alike) = specification::alike(&mut problem, &solution) {
-                notes.push(text!("the reflectors of a pose are off as no lack of repeatability would have them: something is there in every pose that the geometry lacks, and every row counts alike"));
+                if problem.inputs.pose.is_some() {
+                    notes.push(text!("the reflectors of a pose are off as no lack of repeatability would have them: something is there in every pose that the geometry lacks, and every row counts alike"));
+                }
                 solution = alike.solution;
                 by_pose = Some(alike.covariance);
             }
