@@ -3,7 +3,11 @@
 use super::diagnosis::DataProblem;
 use super::identification::Identification;
 use crate::text::length;
-use crate::{fewest, thresholds};
+
+/// More than this share of the samples are no accidents …
+const MOST_SHARE: f64 = 0.1;
+/// … and neither are so many of few.
+const FEWEST: usize = 5;
 
 impl Identification {
     /// What there is to say where more samples were set aside than accidents explain: the figures are those of the
@@ -12,7 +16,7 @@ impl Identification {
     pub fn many_set_aside(&self) -> Option<DataProblem> {
         let aside = self.outliers.len();
         let all = self.samples - self.left_out.len().min(self.samples);
-        if aside < fewest::OF_A_PART || aside as f64 <= thresholds::MOST_WRONG * all as f64 {
+        if aside < FEWEST || aside as f64 <= MOST_SHARE * all as f64 {
             return None;
         }
         // Of a sample without a point no length is known.

@@ -6,7 +6,11 @@
 use super::{TableError, VerifiedCalibration};
 use crate::kinematics::JointKind;
 use crate::model::Calibration;
-use crate::thresholds::{GROSS_SHARE, HALF, PLAUSIBLE_SHARE};
+use crate::thresholds::{GROSS_SHARE, PLAUSIBLE_SHARE};
+
+/// What is gross has to be at least so much better than the nominal robot. (Derived: a servo with a degree of play leaves
+/// sin 1° = 0.017 of its reach, and its zeros are worth correcting.)
+const LEAVES_OF_NOMINAL: f64 = 0.5;
 
 impl VerifiedCalibration {
     /// That commands may be corrected with it: what every table, program and description asks first.
@@ -22,9 +26,7 @@ impl VerifiedCalibration {
         };
         let size_mm = size_mm(self);
         let left_mm = last.gap_mm;
-        // A servo with a degree of play leaves sin 1° = 0.017 of its reach, and its zeros are worth correcting: what is gross
-        // has to gain.
-        let gains = left_mm < HALF * nominal.gap_mm;
+        let gains = left_mm < LEAVES_OF_NOMINAL * nominal.gap_mm;
         if left_mm > PLAUSIBLE_SHARE * size_mm || left_mm > GROSS_SHARE * size_mm && !gains {
             return Err(TableError::Gross { left_mm, size_mm });
         }

@@ -7,13 +7,15 @@ use rand_chacha::ChaCha8Rng;
 use super::candidate::{Arrival, Candidate, Writing, anywhere, at, inputs, ranges, usual_speed};
 use super::imagined::{LATER_S, alone};
 use super::measuring_methods::{MeasuringMethod, last_setup, ways};
-use crate::budget;
 use crate::diagnosis::NextPose;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::Inputs;
 use crate::kinematics::{Joint, Range};
 use crate::sessions::{Session, Target};
 use crate::text::Text;
+
+/// Ways of measuring that are offered.
+const MOST_WAYS: usize = 6;
 
 /// Angles that are tried over the range of a joint.
 const ANGLES: usize = 24;
@@ -91,7 +93,7 @@ impl CandidatePoses {
             each_with(&all, &each, |c, target| c.target = target)
         } else {
             let all = ways(session, None);
-            let every = all.len().div_ceil(budget::LISTED).max(1);
+            let every = all.len().div_ceil(MOST_WAYS).max(1);
             own_ways = all.into_iter().step_by(every).collect();
             let base = &prepared.regression.base;
             let of_way = |(index, way): (usize, &MeasuringMethod)| {

@@ -7,7 +7,6 @@
 
 use nalgebra::DMatrix;
 
-use crate::budget;
 use crate::effects::{Setting, Term};
 use crate::sessions::Session;
 
@@ -22,6 +21,9 @@ use crate::diagnosis::verdict::not_testable;
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::fit::noise::Noise;
 use crate::linear::Basis;
+
+/// Pairs that are named at most.
+const MOST_ALIKE: usize = 12;
 
 /// Two effects that are more alike than this are worth a word.
 const ALIKE: f64 = 0.95;
@@ -121,7 +123,7 @@ fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
         }
     }
     pairs.sort_by(|a, b| b.correlation.total_cmp(&a.correlation));
-    pairs.truncate(budget::LISTED);
+    pairs.truncate(MOST_ALIKE);
     pairs
 }
 

@@ -5,7 +5,6 @@
 use nalgebra::{DMatrix, DVector};
 
 pub use crate::answers::errors::Spread;
-use crate::fewest;
 use crate::lanes::LANES;
 use crate::model::Model;
 use crate::observations::figures;
@@ -13,6 +12,9 @@ pub use crate::observations::figures::Deviations;
 use crate::observations::outliers::{as_if_seen, suspected};
 
 use super::problem::Problem;
+
+/// With fewer samples the axes are taken as stated.
+const FEWEST_TO_BALANCE: usize = 30;
 
 /// Deviations of a session's samples from a model.
 pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
@@ -171,7 +173,7 @@ pub(crate) fn suspects(problem: &Problem, deviations: &Deviations) -> Vec<bool> 
     }
     let axes: Vec<usize> = (0..3).filter(|a| problem.axis_weights[*a] > 0.0).collect();
     let all: Vec<&[f64]> = axes.iter().map(|a| &deviations.axes_mm[*a][..]).collect();
-    let balanced = problem.samples() >= fewest::TO_SEARCH;
+    let balanced = problem.samples() >= FEWEST_TO_BALANCE;
     let stated = problem.axis_weights;
     let sigma: Vec<f64> = axes.iter().map(|a| 1.0 / stated[*a].sqrt()).collect();
     suspected(&all, &problem.fit, &sigma, balanced)

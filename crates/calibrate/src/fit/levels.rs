@@ -11,10 +11,10 @@
 
 pub(crate) use crate::answers::errors::Errors;
 pub use crate::answers::errors::Level;
+use crate::budget;
 use crate::effects::{LINK_GEOMETRY, MEASURING_FRAME, Role, Setting};
 use crate::model::Model;
 use crate::text::Template;
-use crate::{budget, fewest};
 
 use super::base_model;
 use super::gap::lengths_mm;
@@ -22,6 +22,9 @@ use super::problem::Problem;
 use super::solver::solve;
 use super::spread::spread;
 use crate::sessions::cells::{cells, folds_of_groups};
+
+/// Below this number of samples nothing is said about unseen ones.
+const FEWEST: usize = 12;
 
 /// The levels of an identified model, on the samples of the problem that count.
 pub(crate) fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
@@ -115,7 +118,7 @@ fn level(problem: &Problem, fold: &[usize], what: Template, start: &Model) -> Le
     let left = lengths_mm(problem, &solution.model);
     let used = |i: &usize| problem.used[*i];
     let own: Vec<f64> = (0..left.len()).filter(used).map(|i| left[i]).collect();
-    let enough = own.len() >= fewest::TO_JUDGE;
+    let enough = own.len() >= FEWEST;
     let unseen = || {
         let mut lengths = Vec::new();
         for k in 0..budget::FOLDS {

@@ -196,22 +196,4 @@ mod tests {
             assert_eq!(noise_of(0.0, seed).joints_rad, 0.0, "{seed}");
         }
     }
-
-    /// A joint that stands elsewhere in a few rows is no joint that does not repeat: the rows are set aside.
-    #[test]
-    fn a_joint_that_slipped_in_a_few_rows_is_no_noise() {
-        let mut session = unrepeated(0.0, 5);
-        let first: Vec<Option<usize>> = (0..60).map(|pose| Some(3 * pose)).collect();
-        session.samples.select(&first);
-        for row in 0..6 {
-            session.samples.q[0][20 + row] += 0.05 * (row + 1) as f64;
-        }
-        let mut problem = Problem::new(&session, JointValues::Commanded);
-        let start = base_model::start(&session, &problem, |_| true);
-        fit_without_outliers(&mut problem, &start);
-        let noise = problem.noise.as_ref().unwrap();
-        assert_eq!(noise.joints_rad, 0.0);
-        assert!(noise.total_mm(&[0, 1, 2]) < 0.03, "{noise:?}");
-        assert_eq!(problem.samples(), 54);
-    }
 }

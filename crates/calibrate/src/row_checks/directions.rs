@@ -5,10 +5,9 @@ use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::numeric::likeliest_stretch;
 use crate::sessions::{Session, SessionCorrection, in_rows};
-use crate::{fewest, thresholds};
 
 use super::rows::in_order;
-use super::speeds::agreement;
+use super::speeds::{FEWEST, NEARLY_ALL, agreement};
 
 /// Every two joints whose commands say that each has the other's directions.
 pub(super) fn exchanged(session: &Session, _: JointValues) -> Vec<DataProblem> {
@@ -47,8 +46,7 @@ pub(super) fn reversed_for_a_time(session: &Session, _: JointValues) -> Vec<Data
     let inside = sum(&mut (first..end));
     let outside = sum(&mut (0..first).chain(end..n));
     let nearly_all = |count: usize, (with, against): (usize, usize)| {
-        with + against >= fewest::TO_JUDGE
-            && count as f64 >= thresholds::NEARLY_ALL * (with + against) as f64
+        with + against >= FEWEST && count as f64 >= NEARLY_ALL * (with + against) as f64
     };
     if !nearly_all(inside.1, inside) || !nearly_all(outside.0, outside) {
         return Vec::new();
@@ -82,10 +80,9 @@ fn of_pair(session: &Session, first: usize, second: usize) -> Option<DataProblem
     let agrees = |joint: usize, with: usize| {
         let side = session.samples.dir[with].as_deref()?;
         let (agree, of) = agreement(session, joint, side);
-        (of >= fewest::TO_JUDGE).then_some((agree, of))
+        (of >= FEWEST).then_some((agree, of))
     };
-    let nearly_all =
-        |(agree, of): (usize, usize)| agree as f64 >= thresholds::NEARLY_ALL * of as f64;
+    let nearly_all = |(agree, of): (usize, usize)| agree as f64 >= NEARLY_ALL * of as f64;
     let own = [agrees(first, first)?, agrees(second, second)?];
     let crossed = [agrees(first, second)?, agrees(second, first)?];
     if own.into_iter().any(nearly_all) || !crossed.into_iter().all(nearly_all) {

@@ -7,16 +7,22 @@ use super::rows::listed;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::kinematics::JointKind;
-use crate::observations::outliers::MOST_SHARE;
 use crate::sessions::Session;
 use crate::sessions::columns::Quantity;
-use crate::{fewest, thresholds};
 
+/// With fewer other values it is not known what is usual.
+const FEWEST_OTHERS: usize = 5;
+/// A value that stands for a missing one is there at least twice, and in no more than this share of the samples.
+const FEWEST: usize = 2;
+const MOST_SHARE: f64 = 0.4;
 /// No machine that is calibrated is as cold or as warm, °C.
 pub(super) const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -60.0..=200.0;
 
 /// Where it is colder it may freeze, °C.
 const COLD_C: f64 = 10.0;
+
+/// No joint without limits is calibrated so many turns from its home.
+const MOST_TURNS: f64 = 2.0;
 
 pub(super) fn coded(session: &Session, values: JointValues) -> Vec<DataProblem> {
     let (joints, samples) = (&session.robot.joints, &session.samples);
@@ -29,7 +35,7 @@ pub(super) fn coded(session: &Session, values: JointValues) -> Vec<DataProblem> 
         // Beyond its limits, and farther than all others reach.
         let is_none = |v: f64| match (own.limits, own.kind) {
             (Some(limits), _) => !(limits.from..=limits.to).contains(&v),
-            (None, JointKind::Revolute) => v.abs() > thresholds::MOST_TURNS * TAU,
+            (None, JointKind::Revolute) => v.abs() > MOST_TURNS * TAU,
             (None, JointKind::Prismatic) => false,
         };
         let shown = |v: f64| own.kind.to_display(v);
@@ -67,9 +73,9 @@ fn repeated(
         let (low, high) = (*others.first()?, *others.last()?);
         let count = sorted.len() - others.len();
         let far = (code - low).abs().min((code - high).abs()) > high - low;
-        let is_code = count >= 2
+        let is_code = count >= FEWEST
             && count as f64 <= MOST_SHARE * sorted.len() as f64
-            && others.len() >= fewest::OF_A_PART
+            && others.len() >= FEWEST_OTHERS
             && low < high
             && far
             && is_none(code);

@@ -10,8 +10,11 @@ use crate::effects::JointValues;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::Template;
 use crate::units::{deg_from_rad, rad_from_deg};
-use crate::{fewest, thresholds};
 
+/// With fewer samples that move nothing is said.
+pub(super) const FEWEST: usize = 8;
+/// So large a share has to say the same.
+pub(super) const NEARLY_ALL: f64 = 0.95;
 /// A unit explains the way in time within this, as a ratio.
 const CLOSE: f64 = 0.05;
 /// Half of the ratios have to be as near to their median as this.
@@ -36,15 +39,12 @@ fn sign(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
         .filter(|v| v.is_finite())
         .collect();
     let against = products.iter().filter(|v| **v < 0.0).count();
-    if products.len() < fewest::TO_JUDGE
-        || (against as f64) < thresholds::NEARLY_ALL * products.len() as f64
-    {
+    if products.len() < FEWEST || (against as f64) < NEARLY_ALL * products.len() as f64 {
         return None;
     }
     // Of the two the one that the commands contradict is wrong.
     let (with_side, of) = agreement(session, joint, side);
-    let of_side =
-        of >= fewest::TO_JUDGE && (with_side as f64) < (1.0 - thresholds::NEARLY_ALL) * of as f64;
+    let of_side = of >= FEWEST && (with_side as f64) < (1.0 - NEARLY_ALL) * of as f64;
     let evidence = text!(
         "in {opposed} of {all} samples that were measured while joint {joint} moved, speed{joint} and dir{joint} have opposite signs; from row to row the commands agree with dir{joint} in {agree} of {moves}",
         opposed = against,
@@ -123,7 +123,7 @@ fn unit(session: &Session, joint: usize, speed: &[f64]) -> Option<DataProblem> {
         (alike && passed > 0.0 && ratio.is_finite()).then_some(ratio)
     };
     let mut ratios: Vec<f64> = in_order(samples).windows(2).filter_map(ratio).collect();
-    if ratios.len() < fewest::TO_JUDGE {
+    if ratios.len() < FEWEST {
         return None;
     }
     ratios.sort_by(f64::total_cmp);

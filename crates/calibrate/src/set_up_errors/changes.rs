@@ -54,7 +54,7 @@ pub(super) fn frame_is_free(session: &Session) -> bool {
 pub(super) fn changes(session: &Session, values: JointValues) -> Vec<Change> {
     let left = |scaled: &Session| {
         let end = trial(scaled, values, frame_is_free(session))?;
-        Some(end.within_mm(crate::thresholds::HALF))
+        Some(end.within_mm(super::thresholds::HALF))
     };
     let mut all = plain(session, frame_is_free(session));
     all.extend(driven(session));

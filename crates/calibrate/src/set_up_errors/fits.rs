@@ -1,6 +1,5 @@
 //! Fits of some samples of a session, by which every hypothesis is judged.
 
-use crate::budget;
 use crate::effects::{
     JointValues, MEASURING_FRAME, Role, Setting, TOOL_POSITION, Term, joint_zero, tool_radius,
 };
@@ -16,7 +15,7 @@ use crate::sessions::Session;
 use crate::units::rad_from_deg;
 
 use super::rows::RowsInOrder;
-use crate::thresholds::{LARGEST_OFFSET_DEG, LARGEST_STRETCH};
+use super::thresholds::{LARGEST_OFFSET_DEG, LARGEST_STRETCH, MOST_SAMPLES};
 
 /// At most so many of the samples that count, spread evenly.
 pub(super) fn thinned(session: &Session, most: usize) -> Session {
@@ -25,7 +24,7 @@ pub(super) fn thinned(session: &Session, most: usize) -> Session {
 
 /// Some samples of a session, whatever was measured in them.
 pub(super) fn some_samples(session: &Session) -> Session {
-    let some = places(session.samples.len(), budget::OF_A_TRIAL).map(Some);
+    let some = places(session.samples.len(), MOST_SAMPLES).map(Some);
     session.of_rows(&some.collect::<Vec<_>>())
 }
 

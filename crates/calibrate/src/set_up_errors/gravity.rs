@@ -17,16 +17,18 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::kinematics::{JointKind, Robot};
-use crate::numeric::{GOLDEN_ANGLE, extent};
+use crate::numeric::extent;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
-use crate::{budget, odds};
 
 use super::left::Beside;
 use super::looked::{Looked, Unstated};
+use super::thresholds::LIKELIER;
 
 /// Directions that are tried first, evenly over the sphere: 5° apart.
 const DIRECTIONS: usize = 2000;
+/// Halvings of the step around the best of them: to a hundredth of a degree.
+const HALVINGS: usize = 10;
 /// A robot that stands so level (the chord of 10°) sags as one that is level, within what is known of its compliance.
 const LEVEL: f64 = 0.17;
 
@@ -40,7 +42,7 @@ pub(super) fn runs_otherwise(
     let sag = Sag::of(looked)?;
     let direction = sag.likeliest()?;
     let as_stated = stated.normalize();
-    let needed = odds::RARE.nats() + sag.nats(&as_stated, 0).max(sag.foundation).max(0.0);
+    let needed = LIKELIER + sag.nats(&as_stated, 0).max(sag.foundation).max(0.0);
     let more = sag.nats(&direction, 2) - needed;
     if more < 0.0 || (direction - as_stated).norm() < LEVEL {
         return None;
@@ -140,15 +142,16 @@ impl<'a> Sag<'a> {
 
     /// The likeliest direction; `None` where none is likelier than no compliance.
     fn likeliest(&self) -> Option<Vector3<f64>> {
+        let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
         let on_the_sphere = (0..DIRECTIONS).map(|k| {
             let z = 1.0 - 2.0 * (k as f64 + 0.5) / DIRECTIONS as f64;
-            let (sin, cos) = (GOLDEN_ANGLE * k as f64).sin_cos();
+            let (sin, cos) = (golden * k as f64).sin_cos();
             Vector3::new(cos, sin, 0.0) * (1.0 - z * z).sqrt() + Vector3::z() * z
         });
         let valued = on_the_sphere.map(|d| (self.nats(&d, 2), d));
         let (mut nats, mut best) = valued.max_by(|a, b| a.0.total_cmp(&b.0))?;
         let mut step = 0.1;
-        for _ in 0..budget::ROUNDS {
+        for _ in 0..HALVINGS {
             for axis in 0..3 {
                 for sign in [-step, step] {
                     let there: Vector3<f64> = best + Vector3::ith(axis, 1.0) * sign;

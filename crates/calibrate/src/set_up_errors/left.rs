@@ -10,14 +10,16 @@ use crate::kinematics::JointKind;
 use crate::linear::Basis;
 use crate::model::Model;
 use crate::numeric::{self, median};
-use crate::rounding;
 use crate::sessions::{Session, SessionCorrection};
 
 use super::fits::fitted;
 
+/// A turn by which a joint's motion is measured, rad; of a slide mm.
+const SMALL: f64 = 1e-5;
 /// Rows that are farther off than so many times the median are wrong in themselves.
 const WRONG: f64 = 8.0;
-pub(super) use crate::effects::place::MOST;
+/// Most numbers of what may move at a row.
+pub(super) const MOST: usize = 6;
 
 /// The motion of what may move at a row: for each sample its columns.
 pub(super) type Motion = Vec<[Vector3<f64>; MOST]>;
@@ -65,12 +67,12 @@ impl Left {
             let mut moved = few.clone();
             SessionCorrection::TurnHome {
                 joint,
-                by_rad: rounding::DIFFERENCE,
+                by_rad: SMALL,
             }
             .apply(&mut moved);
             let problem = Problem::new(&moved, values);
             let there = Rows::of_samples(&problem, (0..n).collect()).residual(model);
-            (&residual - there) / rounding::DIFFERENCE
+            (&residual - there) / SMALL
         };
         let joints: Vec<DVector<f64>> = (0..few.robot.joints.len()).map(turned).collect();
         let points = rows.points(model);
@@ -213,7 +215,7 @@ impl Left {
                 JointKind::Revolute => order,
                 JointKind::Prismatic => {
                     let [low, high] = numeric::extent(q);
-                    order * std::f64::consts::TAU / (high - low).max(rounding::COMPUTED)
+                    order * std::f64::consts::TAU / (high - low).max(1e-9)
                 }
             };
             all.push(self.times(own, |i| (cycle * q[i]).sin()));

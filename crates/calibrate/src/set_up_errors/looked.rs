@@ -5,8 +5,8 @@ use nalgebra::DVector;
 use super::fits::fitted;
 use super::left::Left;
 use super::rows::RowsInOrder;
+use super::thresholds::MOST_SAMPLES;
 use crate::answers::diagnosis::DataProblem;
-use crate::budget;
 use crate::effects::JointValues;
 use crate::fit::base_model;
 use crate::sessions::Session;
@@ -29,7 +29,7 @@ impl Looked {
         if !base_model::is_arm(session) || !session.has_plain_points() {
             return None;
         }
-        let rows = RowsInOrder::of(session, budget::OF_A_TRIAL);
+        let rows = RowsInOrder::of(session, MOST_SAMPLES);
         let few = rows.select(session);
         let (model, rms_mm) = fitted(&few, values)?;
         let left = Left::of(&few, values, &model)?.beside_poses(&few, values, &model, &[]);

@@ -6,11 +6,9 @@ use nalgebra::Vector3;
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::{Inputs, JointValues};
-use crate::fewest;
 use crate::fit::problem::Problem;
 use crate::kinematics::Range;
 use crate::model::Model;
-use crate::observations::outliers::MOST_IN_THE_BULK;
 use crate::sessions::Session;
 use crate::text::Text;
 
@@ -20,6 +18,10 @@ use super::fits::{fit, start_of};
 const SAME_MM: f64 = 0.5;
 /// A robot that goes farther has moved, and a point that is nearer to a reflector is its, mm.
 const MOVED_MM: f64 = 3.0;
+/// So many points at one place are no accident.
+const FEWEST_STUCK: usize = 3;
+/// Of fewer samples none is far off for sure, of more a fit takes long.
+const SAMPLES: std::ops::RangeInclusive<usize> = 8..=20_000;
 
 /// Samples where the instrument lost the reflector.
 pub(super) fn lost(session: &Session) -> Vec<DataProblem> {
@@ -54,7 +56,7 @@ fn some(rows: Vec<usize>, problem: impl Fn(Vec<usize>, Text) -> DataProblem) -> 
 
 /// Samples that are far off and lie where another reflector is, or all at one place.
 pub(super) fn mislocked(session: &Session, values: JointValues) -> Vec<DataProblem> {
-    if !(fewest::TO_JUDGE..=MOST_IN_THE_BULK).contains(&session.samples.len()) {
+    if !SAMPLES.contains(&session.samples.len()) {
         return Vec::new();
     }
     let mut problem = Problem::new(session, values);
@@ -111,7 +113,7 @@ fn at_one_place(
     let moves = |i: usize, j: usize| (place(i) - place(j)).norm() > MOVED_MM;
     let stuck = off.iter().copied().filter(|i| {
         let same = || off.iter().copied().filter(|j| is_same(*i, *j));
-        same().count() >= fewest::NO_ACCIDENT && same().any(|j| moves(*i, j))
+        same().count() >= FEWEST_STUCK && same().any(|j| moves(*i, j))
     });
     let at_the_limits = fitted.predict(&within_limits(session, &problem.inputs));
     let is_at_a_limit = |i: usize| {

@@ -24,24 +24,35 @@ use crate::numeric::extent;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, length};
 use crate::units::{deg_from_rad, rad_from_deg};
-use crate::{budget, fewest, thresholds};
 
 use super::changes::{Change, changes, frame_is_free, is_of_one_coordinate};
 use super::fits::{is_small_turn, share_within, thinned, trial};
 use super::nearest::Nominal;
 use super::several::several;
-use crate::thresholds::{EQUAL, HALF, MENDED_SHARE, NEARLY_ALL, PLAUSIBLE_SHARE};
+use super::thresholds::{EQUAL, FEWEST_SAMPLES, HALF, MENDED_SHARE, NEARLY_ALL, PLAUSIBLE_SHARE};
 
+/// Samples that a trial looks at.
+const MOST_SAMPLES: usize = 120;
 /// A median error below this share of the spread of the points, or of the robot's reach, is no mistake of setting up.
 const GROSS_SHARE: f64 = 0.005;
+/// What leaves so many times as much as the best says the same in these samples.
+const ALIKE: f64 = 1.25;
+/// Where no mistake alone explains the samples, so many of the best are tried in pairs.
+const MOST_PAIRED: usize = 5;
+/// The spread of the points agrees with that of the robot within this, as a ratio.
+const TO_SCALE: f64 = 2.0;
+/// With fewer samples none can be kept back.
+const FEWEST_TO_SPLIT: usize = 24;
+/// Samples that were kept back leave at most so many times as much as a change may leave.
+const UNSEEN: f64 = 2.0;
 /// Ten times what is usual for a tilt or an offset of the base.
 const LEAST_TURN_DEG: f64 = 1.5;
 const LEAST_MOVE_MM: f64 = 60.0;
 
 /// The mistake that explains the samples, or those that do so together; else a frame that nobody aligned.
 pub(super) fn of_all_rows(session: &Session, values: JointValues) -> Vec<DataProblem> {
-    let part = thinned(session, budget::OF_A_TRIAL);
-    if part.samples.len() < fewest::TO_JUDGE.max(session.robot.joints.len() + 4) {
+    let part = thinned(session, MOST_SAMPLES);
+    if part.samples.len() < FEWEST_SAMPLES.max(session.robot.joints.len() + 4) {
         return Vec::new();
     }
     let found = [HALF, NEARLY_ALL]
@@ -62,7 +73,7 @@ fn changed(part: &Session, mends: &[SessionCorrection]) -> Session {
 
 /// By how much the points are spread less widely than as they stand.
 fn shrunk(part: &Session, changed: &Session) -> f64 {
-    part.samples.spread_mm() / changed.samples.spread_mm().max(f64::MIN_POSITIVE)
+    part.samples.spread_mm() / changed.samples.spread_mm().max(1e-12)
 }
 
 /// A change and what the compared share of the samples is off by with it, in the units of the samples as they stand, mm.
@@ -123,7 +134,7 @@ impl<'a> Judge<'a> {
         };
         let pairs = nearest
             .into_iter()
-            .take(budget::LIKELIEST)
+            .take(MOST_PAIRED)
             .filter_map(with_another);
         match pairs.min_by(|a, b| a.0.total_cmp(&b.0)) {
             Some((_, both)) => both,
@@ -175,7 +186,7 @@ impl<'a> Judge<'a> {
         let (main, left) = tried
             .iter()
             .find(|(c, left)| *left <= EQUAL * least && c.mends.len() == 1)?;
-        let same = |(c, left): &&Tried| *left <= thresholds::ALIKE * least && c.what != main.what;
+        let same = |(c, left): &&Tried| *left <= ALIKE * least && c.what != main.what;
         let twins: Vec<Text> = tried
             .iter()
             .filter(same)
@@ -236,7 +247,7 @@ impl<'a> Judge<'a> {
     fn predicts(&self, part: &Session, mends: &[SessionCorrection]) -> bool {
         let changed = changed(part, mends);
         let n = changed.samples.len();
-        if n < fewest::TO_SEARCH {
+        if n < FEWEST_TO_SPLIT {
             return true;
         }
         let half = |odd: usize| {
@@ -248,7 +259,7 @@ impl<'a> Judge<'a> {
             let left_mm = lengths_mm(&Problem::new(&unseen, self.values), &end.model);
             // What may be left is told in the units of the samples as they stand.
             let scale = (1.0 / shrunk(part, &changed)).max(1.0);
-            share_within(left_mm, self.share) <= thresholds::WITHIN * self.most_mm * scale
+            share_within(left_mm, self.share) <= UNSEEN * self.most_mm * scale
         })
     }
 }
@@ -315,7 +326,7 @@ fn is_plausible(session: &Session, model: &Model) -> bool {
 /// Whether a change that scales the samples brings them to the size of the robot, which they do not have
 /// as they are.
 fn is_to_scale(part: &Session, changed: &Session, values: JointValues) -> bool {
-    let is_scaled = shrunk(part, changed).ln().abs() > EQUAL.ln();
+    let is_scaled = shrunk(part, changed).ln().abs() > 0.01;
     !is_scaled || has_the_robots_size(changed, values) && !has_the_robots_size(part, values)
 }
 
@@ -332,8 +343,8 @@ fn has_the_robots_size(session: &Session, values: JointValues) -> bool {
     let mut seen = session.samples.clone();
     (seen.x_mm, seen.y_mm) = (x_mm, y_mm);
     seen.z_mm = session.samples.z_mm.is_some().then_some(z_mm);
-    let ratio = session.samples.spread_mm() / seen.spread_mm().max(f64::MIN_POSITIVE);
-    (1.0 / thresholds::WITHIN..=thresholds::WITHIN).contains(&ratio)
+    let ratio = session.samples.spread_mm() / seen.spread_mm().max(1e-12);
+    (1.0 / TO_SCALE..=TO_SCALE).contains(&ratio)
 }
 
 /// A measuring frame that was not aligned, where the session has no free one.
@@ -366,7 +377,7 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
         return None;
     }
     let about_axis = is_turned
-        && turn.cross(&axis).norm() < PLAUSIBLE_SHARE * turn.norm()
+        && turn.cross(&axis).norm() < 0.02 * turn.norm()
         && first.kind == JointKind::Revolute
         && (to - point).cross(&axis).norm() < LEAST_MOVE_MM;
     let turned = format!("{:.2}°", deg_from_rad(turn.norm()));

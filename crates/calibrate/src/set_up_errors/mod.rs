@@ -26,18 +26,24 @@ mod several;
 mod shifted;
 mod station_scale;
 mod targets_in_base;
+mod thresholds;
 mod unstated;
 
 use std::borrow::Cow;
 
 pub use crate::answers::diagnosis::DataProblem;
-use crate::budget;
 use crate::effects::JointValues;
 use crate::fit::problem::Problem;
 use crate::row_checks;
 pub use crate::row_checks::CorrectedSession;
 use crate::sessions::Session;
-use crate::thresholds::HALF;
+
+/// They are tried on whole points, where they are so large a part of the samples.
+const ENOUGH_POINTS: f64 = 0.5;
+/// One mistake may hide another.
+const MOST_MISTAKES: usize = 3;
+/// Instruments, stations and mountings do no more at a time that no session states.
+const MOST_UNSTATED: usize = 6;
 
 fn has_enough_points(session: &Session, joint_values: JointValues) -> bool {
     if session.has_plain_points() {
@@ -45,7 +51,7 @@ fn has_enough_points(session: &Session, joint_values: JointValues) -> bool {
     }
     let points = Problem::new(session, joint_values).samples();
     let all = Problem::observing(session, joint_values).samples();
-    points as f64 >= HALF * all as f64
+    points as f64 >= ENOUGH_POINTS * all as f64
 }
 
 /// Checks the rows, tries the set-up errors and corrects what it finds.
@@ -78,8 +84,8 @@ fn without_mistakes(raw: &Session, values: JointValues, small_ones: bool) -> Cor
     if whole_points {
         found.look_for(targets_in_base::stated_there, values, 1);
         // With a part that differs no one change of all rows fits, and many would be tried.
-        found.look_for(parts::gross, values, budget::ROUNDS);
-        found.look_for(mistakes::of_all_rows, values, budget::ROUNDS);
+        found.look_for(parts::gross, values, MOST_MISTAKES);
+        found.look_for(mistakes::of_all_rows, values, MOST_MISTAKES);
     }
     // Where coordinates have another unit, their digits are of another size.
     found.look_for(row_checks::coarse, values, 1);
@@ -98,7 +104,7 @@ fn without_mistakes(raw: &Session, values: JointValues, small_ones: bool) -> Cor
     if let Some(better) = better {
         found.session = Cow::Owned(better);
     }
-    found.look_for(unstated::likeliest, values, budget::ROUNDS);
+    found.look_for(unstated::likeliest, values, MOST_UNSTATED);
     found.note_corrections(raw);
     // What is only said was not made.
     let lost = losses::lost(&found.session);

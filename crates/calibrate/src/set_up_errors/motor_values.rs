@@ -14,13 +14,23 @@ use crate::kinematics::JointKind;
 use crate::numeric::extent;
 use crate::sessions::correction::{GRADIAN_DEG, LARGEST_SCALE, SCALE_FAR_FROM_ONE};
 use crate::sessions::{Session, SessionCorrection};
-use crate::{budget, thresholds};
 
 use super::fits::{fit, start_of, thinned};
 use super::nearest::Nominal;
+use super::thresholds::FEW_SAMPLES;
 
+/// Values within so many times the limits are out of them for another reason.
+const BEYOND: f64 = 2.0;
+/// Of a joint without limits, the turns that none makes.
+const MOST_TURNS: f64 = 2.0;
 /// A gear of motors and joints has no more, nor has an encoder more counts a degree.
 const LARGEST_RATIO: f64 = 1000.0;
+/// From one ratio to the next: a joint at its limit is then off by less than 4°.
+const STEP: f64 = 1.02;
+/// Steps of the refinement, each to a third of the one before.
+const REFINED: usize = 8;
+/// The best ratio of the nominal robot is off by no more than this share.
+const COARSE: f64 = 0.02;
 /// A plain ratio is taken within this share: a scale error of a joint is smaller.
 const PLAIN: f64 = 0.002;
 /// Counts that an encoder may have in a turn, as powers of two.
@@ -33,7 +43,7 @@ pub(super) fn likely_ratios(
     values: JointValues,
     left: impl Fn(&Session) -> Option<f64>,
 ) -> Vec<(usize, f64)> {
-    let few = thinned(session, budget::OF_A_CHOICE);
+    let few = thinned(session, FEW_SAMPLES);
     let nominal = Nominal::of(&few, values);
     let of_joint = |joint: usize| {
         let least = least_ratio(&nominal, &few, joint)?;
@@ -57,16 +67,14 @@ pub(super) fn likely_scales(
     values: JointValues,
     left: impl Fn(&Session) -> Option<f64>,
 ) -> Vec<f64> {
-    let few = thinned(session, budget::OF_A_CHOICE);
+    let few = thinned(session, FEW_SAMPLES);
     let is_of_a_motor = least_ratio(&Nominal::of(&few, values), &few, 0).is_some();
     if few.robot.joints.len() != 1 || is_of_a_motor {
         return Vec::new();
     }
     let left = |ratio| left(&by_ratio(&few, 0, ratio)).unwrap_or(f64::INFINITY);
     let of_sign = |sign: f64| {
-        let all = std::iter::successors(Some(1.0 / LARGEST_SCALE), |ratio| {
-            Some(ratio * thresholds::EQUAL)
-        });
+        let all = std::iter::successors(Some(1.0 / LARGEST_SCALE), |ratio| Some(ratio * STEP));
         let all = all.take_while(|ratio| *ratio < LARGEST_SCALE);
         let best = all
             .map(|ratio| (left(sign * ratio), sign * ratio))
@@ -90,11 +98,11 @@ fn least_ratio(nominal: &Nominal, session: &Session, joint: usize) -> Option<f64
     let [low, high] = extent(nominal.inputs.q[joint].iter());
     let span = own
         .limits
-        .map_or(thresholds::MOST_TURNS * std::f64::consts::TAU, |limits| {
+        .map_or(MOST_TURNS * std::f64::consts::TAU, |limits| {
             limits.to - limits.from
         });
     let times = (high - low) / span;
-    (times.is_finite() && span > 0.0 && times > thresholds::WITHIN).then_some(times)
+    (times.is_finite() && span > 0.0 && times > BEYOND).then_some(times)
 }
 
 /// The ratio of the sign of `least` with which the nominal robot is nearest to the points.
@@ -106,7 +114,7 @@ fn likeliest(nominal: &Nominal, joint: usize, least: f64) -> Option<f64> {
         nominal.left_mm(&inputs, false)
     };
     let most = LARGEST_RATIO * least.abs().max(1.0);
-    let ratios = std::iter::successors(Some(least), |ratio| Some(ratio * thresholds::EQUAL));
+    let ratios = std::iter::successors(Some(least), |ratio| Some(ratio * STEP));
     let tried = ratios
         .take_while(|ratio| ratio.abs() <= most)
         .map(|ratio| (left(ratio), ratio))
@@ -117,8 +125,8 @@ fn likeliest(nominal: &Nominal, joint: usize, least: f64) -> Option<f64> {
 /// The ratio near another that leaves least.
 fn refined(ratio: f64, left: impl Fn(f64) -> f64) -> f64 {
     let mut best = (left(ratio), ratio);
-    let mut step = thresholds::EQUAL - 1.0;
-    for _ in 0..budget::ROUNDS {
+    let mut step = COARSE;
+    for _ in 0..REFINED {
         step /= 3.0;
         for by in [1.0 - 2.0 * step, 1.0 - step, 1.0 + step, 1.0 + 2.0 * step] {
             let trial = best.1 * by;
@@ -141,11 +149,7 @@ fn with_base_model(session: &Session, values: JointValues, joint: usize, ratio: 
     let mut terms = fitted.terms().iter();
     let own = terms.find(|term| term.effect.about().id == effect.about().id);
     let scale = own.and_then(|term| term.coefficients.first().copied());
-    ratio
-        / (1.0
-            + scale
-                .filter(|k| k.abs() < thresholds::EQUAL - 1.0)
-                .unwrap_or(0.0))
+    ratio / (1.0 + scale.filter(|k| k.abs() < COARSE).unwrap_or(0.0))
 }
 
 /// A whole number, or the counts of an encoder in a degree, where one of them is near.

@@ -11,11 +11,17 @@ use crate::kinematics::rigid_motion::rigid_motion;
 use crate::model::Model;
 use crate::numeric::whole;
 use crate::sessions::{Group, Session};
-use crate::thresholds::MOST_WRONG;
-use crate::{budget, fewest, rounding};
 
 /// Degrees of freedom of the heavy-tailed noise.
 const TAILS: f64 = 4.0;
+/// Coordinates of a point.
+const AXES: f64 = 3.0;
+/// How often the motion is sought of the nearest points.
+const ROUNDS: usize = 4;
+/// Below this a deviation is rounding, mm.
+pub(super) const LEAST_SIGMA_MM: f64 = 1e-4;
+/// The share of the samples, farthest off, that may be wrong in themselves.
+const MOST_WRONG: f64 = 0.1;
 
 /// Where the robot is, and what was measured, mm.
 pub(super) type Pair = (Vector3<f64>, Vector3<f64>);
@@ -118,38 +124,38 @@ impl<'a> Nominal<'a> {
 /// What a deviation costs, as a logarithm.
 pub(super) fn cost_of(length_mm: f64, sigma_mm: f64) -> f64 {
     // Of a sum, as nothing depends on the digits that are lost beside 1: this is most of the work.
-    0.5 * (TAILS + 3.0) * (1.0 + length_mm * length_mm / (TAILS * sigma_mm * sigma_mm)).ln()
+    0.5 * (TAILS + AXES) * (1.0 + length_mm * length_mm / (TAILS * sigma_mm * sigma_mm)).ln()
 }
 
 /// The likeliest scale of deviations, mm, and what they cost all together beside it.
 pub(super) fn cost(lengths_mm: &[f64]) -> (f64, f64) {
     let n = lengths_mm.len().max(1) as f64;
     let mean = lengths_mm.iter().sum::<f64>() / n;
-    let mut sigma = mean.max(rounding::WRITTEN);
+    let mut sigma = mean.max(LEAST_SIGMA_MM);
     for _ in 0..30 {
         let weighed = lengths_mm.iter().map(|r| {
             let square = r * r;
-            (TAILS + 3.0) * square / (TAILS + square / (sigma * sigma))
+            (TAILS + AXES) * square / (TAILS + square / (sigma * sigma))
         });
-        let next = (weighed.sum::<f64>() / (3.0 * n))
+        let next = (weighed.sum::<f64>() / (AXES * n))
             .sqrt()
-            .max(rounding::WRITTEN);
-        let settled = (next / sigma).ln().abs() < budget::SETTLED;
+            .max(LEAST_SIGMA_MM);
+        let settled = (next / sigma).ln().abs() < 1e-3;
         sigma = next;
         if settled {
             break;
         }
     }
     let costs = lengths_mm.iter().map(|r| cost_of(*r, sigma));
-    (sigma, costs.sum::<f64>() + 3.0 * n * sigma.ln())
+    (sigma, costs.sum::<f64>() + AXES * n * sigma.ln())
 }
 
 /// The motion of the nearest points, of pairs (predicted, measured); `None` where there are too few.
 pub(super) fn motion(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Isometry3<f64>> {
     let mut motion = rigid_motion(pairs)?;
-    let kept = (pairs.len() * 3 / 4).max(fewest::OF_A_PART);
+    let kept = (pairs.len() * 3 / 4).max(4);
     let mut near = pairs.to_vec();
-    for _ in 0..budget::ROUNDS {
+    for _ in 0..ROUNDS {
         if kept >= pairs.len() {
             break;
         }

@@ -7,6 +7,7 @@
 use nalgebra::{DMatrix, DVector, Point3, Rotation3, UnitQuaternion, Vector3};
 
 use super::orientations::{Pairs, joint_values};
+use super::thresholds::{FEWEST_SAMPLES, MENDED_SHARE, MOST_SAMPLES};
 use crate::answers::diagnosis::DataProblem;
 use crate::decompose::svd;
 use crate::effects::JointValues;
@@ -14,14 +15,14 @@ use crate::fit::spread::places;
 use crate::kinematics::quaternion::log;
 use crate::kinematics::rigid_motion::rigid_motion;
 use crate::sessions::{Session, SessionCorrection};
-use crate::thresholds::MENDED_SHARE;
 use crate::units::deg_from_rad;
-use crate::{budget, fewest};
 
 /// No frame is turned by less on purpose, and zeros of joints that are off turn it by as much.
 const SMALLEST_RAD: f64 = 5e-3;
 /// What the turns leave in the median moves their frame by less than this many times as much.
 const TIMES_LEFT: f64 = 3.0;
+/// Alternations of frame and tool.
+const ROUNDS: usize = 30;
 
 /// Orientations in another frame than the positions: until they are stated in one only the positions are used.
 pub(super) fn of_another_frame(session: &Session, values: JointValues) -> Vec<DataProblem> {
@@ -78,10 +79,10 @@ impl Points {
             let counts = is_there && measured != Vector3::zeros() && !samples.is_excluded(i);
             counts.then(|| (point, measured, pose.rotation.to_rotation_matrix()))
         };
-        let rows: Vec<_> = places(samples.len(), budget::OF_A_TRIAL)
+        let rows: Vec<_> = places(samples.len(), MOST_SAMPLES)
             .filter_map(row)
             .collect();
-        (rows.len() >= fewest::TO_JUDGE).then_some(Self(rows))
+        (rows.len() >= FEWEST_SAMPLES).then_some(Self(rows))
     }
 
     /// The shift of the tool with which this frame fits best, and what it leaves in the median, mm.
@@ -112,7 +113,7 @@ impl Points {
     fn best(&self) -> Option<(UnitQuaternion<f64>, f64)> {
         let mut tool = Vector3::zeros();
         let mut best: Option<(UnitQuaternion<f64>, f64)> = None;
-        for _ in 0..budget::STEPS {
+        for _ in 0..ROUNDS {
             let moved = |(point, measured, turn): &(Vector3<f64>, Vector3<f64>, Rotation3<f64>)| {
                 (point + turn * tool, *measured)
             };

@@ -9,6 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
+use super::thresholds::{FEW_SAMPLES, FEWEST_SAMPLES, GROSS_TURN_RAD, MENDED_SHARE};
 use crate::answers::diagnosis::DataProblem;
 use crate::decompose::{eigen, svd};
 use crate::effects::JointValues;
@@ -17,14 +18,14 @@ use crate::kinematics::quaternion::log;
 use crate::numeric::median;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
-use crate::thresholds::{GROSS_TURN_RAD, MENDED_SHARE};
-use crate::{budget, fewest, rounding, thresholds};
 
 /// Beyond this a turn may be one the other way round.
 const LARGEST_TURN_RAD: f64 = 2.6;
 /// Orientations that fit in no convention are wrong from here on: no robot's zeros are so far off. (Derived: the sum
 /// of six zeros that are off by 5° each, half a radian.)
 const WRONG_RAD: f64 = 0.5;
+/// Conventions that fit alike are named up to here.
+const MOST_NAMED: usize = 3;
 
 /// The turning axes of three angles, in their order; the axes move along.
 const ORDERS: [[usize; 3]; 8] = [
@@ -41,12 +42,16 @@ const ORDERS: [[usize; 3]; 8] = [
 /// How three numbers make an orientation; `None`: they are a rotation vector.
 type Order = Option<[usize; 3]>;
 
+/// What fits so many times as badly as the best says the same in these samples.
+const ALIKE: f64 = 1.5;
 /// What fits within a milliradian fits.
 const EQUAL_RAD: f64 = 1e-3;
-/// Pairs from which the measuring frame is guessed, each with the next one.
-const DRAWS: usize = 8;
+/// A measuring frame and a tool that are turned by less than this together are those of the description.
+const NEAR_RAD: f64 = 0.3;
 /// Turns about a second axis have this share of those about the first, squared.
 const SECOND_AXIS: f64 = 0.01;
+/// Pairs from which the measuring frame is guessed, each with the next one.
+const DRAWS: usize = 8;
 
 /// Orientations of another convention: until they are imported so only the positions are used.
 pub(super) fn of_another_convention(session: &Session, values: JointValues) -> Vec<DataProblem> {
@@ -202,12 +207,11 @@ impl Pairs {
         };
         let measured = |i: usize| {
             let q = Quaternion::new(w[i], x[i], y[i], z[i]);
-            (q.norm() > rounding::COMPUTED && q.norm().is_finite())
-                .then(|| UnitQuaternion::from_quaternion(q))
+            (q.norm() > 1e-9 && q.norm().is_finite()).then(|| UnitQuaternion::from_quaternion(q))
         };
         let counts = (0..samples.len()).map(|i| !left_out(i) && measured(i).is_some());
-        let rows = spread(&counts.collect::<Vec<_>>(), budget::OF_A_CHOICE);
-        if rows.len() < fewest::TO_JUDGE {
+        let rows = spread(&counts.collect::<Vec<_>>(), FEW_SAMPLES);
+        if rows.len() < FEWEST_SAMPLES {
             return None;
         }
         let predicted = rows.iter().map(|&i| {
@@ -229,7 +233,7 @@ impl Pairs {
             setup(*a) == setup(*b) && (GROSS_TURN_RAD..LARGEST_TURN_RAD).contains(&turn)
         };
         let pairs: Vec<(usize, usize)> = pairs.filter(is_sure).collect();
-        (pairs.len() >= fewest::TO_JUDGE).then(|| Self {
+        (pairs.len() >= FEWEST_SAMPLES).then(|| Self {
             measured: rows.iter().filter_map(|&i| measured(i)).collect(),
             predicted,
             pairs,
@@ -256,11 +260,11 @@ impl Pairs {
             .fold(f64::INFINITY, f64::min);
         // The inverse and an exchange of parts are the same but for two turns: of those that fit alike the one whose frame
         // and tool are turned least is meant, and where they are turned anyway any of them may be.
-        fits.retain(|(fit, _)| fit.left <= (thresholds::ALIKE * least).max(EQUAL_RAD));
+        fits.retain(|(fit, _)| fit.left <= (ALIKE * least).max(EQUAL_RAD));
         // Where an angle stays zero, orders are one: the usual one stands first.
         let turned = |fit: &Fit| (fit.turned / GROSS_TURN_RAD).round();
         fits.sort_by(|a, b| turned(&a.0).total_cmp(&turned(&b.0)));
-        if fits.first().is_some_and(|(fit, _)| fit.turned < WRONG_RAD) {
+        if fits.first().is_some_and(|(fit, _)| fit.turned < NEAR_RAD) {
             fits.truncate(1);
         }
         let mut names: Vec<Text> = Vec::new();
@@ -271,7 +275,7 @@ impl Pairs {
         }
         let mrad = |rad: f64| format!("{:.1} mrad", 1e3 * rad);
         let (what, evidence, proposal) = if !names.is_empty() {
-            names.truncate(budget::LIKELIEST);
+            names.truncate(MOST_NAMED);
             let convention = Text::listed(names, " / ");
             (
                 text!(

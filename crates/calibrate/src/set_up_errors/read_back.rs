@@ -10,12 +10,15 @@
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::fewest;
-use crate::fit::priors::MISSED;
 use crate::sessions::Session;
 use crate::text::angle;
 
 use super::fits::left_mm;
+
+/// With fewer samples nothing is told of a slope.
+const FEWEST: usize = 8;
+/// Standard errors from which on a slope is no accident.
+const CLEAR: f64 = 5.0;
 
 /// What the values of one joint that are read back follow.
 struct Lag {
@@ -65,7 +68,7 @@ impl Lag {
                 .filter(|(v, e)| v.is_finite() && e.is_finite() && *v != 0.0)
                 .collect();
             let (slope, error) = slope_through_zero(&pairs)?;
-            (slope < -MISSED * error).then(|| Self {
+            (slope < -CLEAR * error).then(|| Self {
                 joint,
                 follows: by.clone(),
                 by_speed,
@@ -113,7 +116,7 @@ impl Lag {
 
 /// Slope of a line through zero, and its standard error.
 fn slope_through_zero(pairs: &[(f64, f64)]) -> Option<(f64, f64)> {
-    if pairs.len() < fewest::TO_JUDGE {
+    if pairs.len() < FEWEST {
         return None;
     }
     let xx: f64 = pairs.iter().map(|p| p.0 * p.0).sum();

@@ -16,10 +16,10 @@ use nalgebra::Vector3;
 use super::gravity::torques_of_a_kilogram;
 use super::left::Beside;
 use super::looked::{Looked, Unstated};
+use super::thresholds::LIKELIER;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::kinematics::JointKind;
-use crate::odds;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, length};
 
@@ -61,7 +61,7 @@ pub(super) fn bends(_: &Session, _: JointValues, looked: &Looked) -> Option<Unst
     let beside = Beside::of(left, &others)?;
     let (by, nats) = beside.with(&columns);
     let by_mm = Vector3::new(by[0], by[1], by[2]);
-    if nats < odds::RARE.nats() || by_mm.norm() > MOST * farthest_mm {
+    if nats < LIKELIER || by_mm.norm() > MOST * farthest_mm {
         return None;
     }
     let quadratic = (0..3 * PRODUCTS.len()).map(|k| {
@@ -89,5 +89,5 @@ pub(super) fn bends(_: &Session, _: JointValues, looked: &Looked) -> Option<Unst
         ),
         mend,
     );
-    Some((nats - odds::RARE.nats(), problem))
+    Some((nats - LIKELIER, problem))
 }

@@ -8,17 +8,16 @@
 //! and on what else settles in the same time: the frame (moved, or moved and turned), the home of a joint. Lines of sight
 //! have to spread for it to be told from a frame that moves.
 
-use nalgebra::{DVector, Vector3};
-
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::numeric::extent;
-use crate::odds;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, length};
+use nalgebra::{DVector, Vector3};
 
 use super::left::{Beside, Left, MOST};
 use super::looked::{Looked, Unstated};
+use super::thresholds::LIKELIER;
 
 /// Times that are tried, as parts of the time that was measured: what settles faster is a few rows, what settles slower a
 /// straight line.
@@ -26,6 +25,8 @@ const PARTS: [f64; 5] = [0.05, 0.1, 0.2, 0.35, 0.6];
 
 /// No instrument that measures robots settles by more, mm: trackers by a tenth of a millimetre.
 const LARGEST_MM: f64 = 5.0;
+/// How often the size is fitted again with what it corrected.
+const ROUNDS: usize = 2;
 
 /// Distances that settle.
 pub(super) fn settles(_: &Session, values: JointValues, looked: &Looked) -> Option<Unstated> {
@@ -44,7 +45,7 @@ pub(super) fn settles(_: &Session, values: JointValues, looked: &Looked) -> Opti
     };
     let mut left_mm = looked.rms_mm;
     // What was far off counted as little: sizes are fitted again with what they corrected.
-    for _ in 0..2 {
+    for _ in 0..ROUNDS {
         let mut corrected = few.clone();
         mend(by_mm).apply(&mut corrected);
         let (left, after_mm) = Left::after_a_fit(&corrected, values)?;
@@ -97,7 +98,7 @@ fn settled(
             .max(beside.with(&frame).1);
     }
     let (nats, by_mm, tau_s) = best;
-    let more = nats - odds::RARE.nats().max(rivals + 1000.0_f64.ln());
+    let more = nats - LIKELIER.max(rivals + 1000.0_f64.ln());
     (more >= 0.0).then_some((more, by_mm, tau_s))
 }
 

@@ -13,7 +13,6 @@
 use std::borrow::Cow;
 use std::f64::consts::FRAC_PI_2;
 
-use crate::budget;
 use crate::effects::JointValues;
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
@@ -23,7 +22,7 @@ use super::changes::{
 };
 use super::fits::thinned;
 use super::nearest::Nominal;
-use crate::thresholds::EQUAL;
+use super::thresholds::{EQUAL, FEW_SAMPLES};
 
 /// Descents from choices that chance makes, beside those from the columns as they are and reversed.
 const RANDOM_STARTS: usize = 48;
@@ -224,7 +223,7 @@ impl Judge<'_> {
 
 /// The changes of an arm's samples that together explain them; none where no choice leaves less than `most_mm`.
 pub(super) fn several(part: &Session, values: JointValues, most_mm: f64) -> Vec<Change> {
-    let few = thinned(part, budget::OF_A_CHOICE);
+    let few = thinned(part, FEW_SAMPLES);
     let judge = Judge {
         nominal: Nominal::of(&few, values),
         choices: JointChoice::of_each(&few.robot),

@@ -10,9 +10,9 @@ use nalgebra::Vector3;
 use super::left::Beside;
 use super::looked::{Looked, Unstated};
 use super::rows::Part;
+use super::thresholds::LIKELIER;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
-use crate::odds;
 use crate::sessions::{Group, Session, SessionCorrection};
 
 /// More is no scale of a station: air changes it by a millionth a degree, and the steel of a robot grows by twelve.
@@ -29,7 +29,7 @@ pub(super) fn differs(session: &Session, _: JointValues, looked: &Looked) -> Opt
         let of_row = |i: usize| Vector3::from(left.expected[i]) * f64::from(u8::from(is_own[i]));
         let (by, nats) = beside.with(&[left.column(of_row)]);
         (
-            nats - odds::RARE.nats() - (names.len() as f64).ln(),
+            nats - LIKELIER - (names.len() as f64).ln(),
             part,
             station,
             by[0],

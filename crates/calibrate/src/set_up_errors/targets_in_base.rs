@@ -2,7 +2,6 @@
 //! position takes that up without a trace, and every corrected target is off by it.
 
 use crate::answers::diagnosis::DataProblem;
-use crate::budget;
 use crate::effects::JointValues;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::length;
@@ -10,7 +9,10 @@ use crate::text::length;
 use super::changes::frame_is_free;
 use super::fits::{share_within, thinned};
 use super::nearest::Nominal;
-use crate::thresholds::{GROSS_SHARE, HALF, MENDED_SHARE, PLAUSIBLE_SHARE};
+use super::thresholds::{FEW_SAMPLES, GROSS_SHARE, HALF, PLAUSIBLE_SHARE};
+
+/// What the nominal robot leaves has to fall to less than this share of what it was …
+const MENDED: f64 = 0.1;
 
 /// Targets that are not places in the tool.
 pub(super) fn stated_there(session: &Session, values: JointValues) -> Vec<DataProblem> {
@@ -21,7 +23,7 @@ pub(super) fn stated_there(session: &Session, values: JointValues) -> Vec<DataPr
     if stated.all(|place| place.norm() == 0.0) {
         return Vec::new();
     }
-    let part = thinned(session, budget::OF_A_CHOICE);
+    let part = thinned(session, FEW_SAMPLES);
     let left_mm = |part: &Session| {
         let lengths = Nominal::of(part, values).lengths_mm(frame_is_free(part));
         share_within(lengths, HALF)
@@ -31,7 +33,7 @@ pub(super) fn stated_there(session: &Session, values: JointValues) -> Vec<DataPr
     mend.apply(&mut as_places);
     let [before, after] = [left_mm(&part), left_mm(&as_places)];
     let is_gross = before >= GROSS_SHARE * session.robot.length_along_links_mm();
-    let enough = (MENDED_SHARE * before).min(PLAUSIBLE_SHARE * part.samples.spread_mm());
+    let enough = (MENDED * before).min(PLAUSIBLE_SHARE * part.samples.spread_mm());
     if !before.is_finite() || !is_gross || after > enough {
         return Vec::new();
     }

@@ -21,6 +21,9 @@ use super::held_out::{HeldOut, Whitened};
 use super::orders::{self, Residual};
 use super::products::Products;
 
+/// Orders that are added at most.
+const MOST_ORDERS: usize = 8;
+
 /// Columns of the geometry and of each family, with their products fold by fold.
 #[derive(Clone)]
 pub(super) struct Design<'a> {
@@ -306,7 +309,7 @@ impl<'a> Design<'a> {
 
     /// The joint and the order that what is left shows beyond all noise, if any.
     pub(super) fn next_order(&self, strengths: &[f64]) -> Option<(usize, f64)> {
-        if self.orders >= budget::ROUNDS || !self.noise.is_white() {
+        if self.orders >= MOST_ORDERS || !self.noise.is_white() {
             return None;
         }
         let solved = self.solved(strengths)?;

@@ -14,9 +14,12 @@ use crate::kinematics::{JointKind, Robot};
 use crate::numeric::extent;
 use crate::text::Text;
 
+/// Harmonics of a neighbour's value.
+const OF_NEIGHBOURS: usize = 2;
+
 /// Harmonics of a joint's own value.
 const HARMONICS: usize = 6;
-/// How many joints away a neighbour is at most, and harmonics of its value.
+/// How many joints away a neighbour is at most.
 const NEIGHBOURS: usize = 2;
 /// Harmonics across a joint's axis.
 const ACROSS: usize = 3;
@@ -140,7 +143,7 @@ impl Families {
             joint.saturating_sub(NEIGHBOURS)..robot.joints.len().min(joint + NEIGHBOURS + 1)
         {
             if other != joint && turns(other) {
-                let own = harmonics(other, NEIGHBOURS);
+                let own = harmonics(other, OF_NEIGHBOURS);
                 self.add(joint, FamilyKind::Over(other), own);
             }
         }

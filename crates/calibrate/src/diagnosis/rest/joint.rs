@@ -35,6 +35,9 @@ use super::kernels::{Fitted, Kernels, Prior};
 use super::products::Products;
 use crate::side_by_side::Threads;
 
+/// With fewer different values of a joint no curve rivals a name.
+const FEWEST_TO_RIVAL: usize = 10;
+
 /// Sides of a direction: what is common to both, and half of the reversal.
 const SIDES: usize = 2;
 /// Most knots of a curve over a range.
@@ -199,7 +202,7 @@ pub(crate) fn free_curve(
     joint: usize,
 ) -> Option<FreeCurve> {
     let columns = Columns::together(problem, noise, model, joint);
-    if columns.values.len() < fewest::TO_JUDGE {
+    if columns.values.len() < FEWEST_TO_RIVAL {
         return None;
     }
     let knots = columns.knots(columns.values.len().clamp(fewest::OF_A_PART, MOST_KNOTS));

@@ -25,10 +25,13 @@ use crate::linear::{Basis, cross, solve_lower};
 use crate::observations::figures::outlying;
 use crate::observations::outliers::suspected;
 use crate::sessions::poses::ByPose;
-use crate::thresholds::HALF;
 use crate::{fewest, rounding};
 
 use crate::diagnosis::evidence::Regression;
+
+/// The columns are too many where they are more than this share of the rows. (Derived: the mean leverage is then above
+/// ½, a fit follows most of whatever stands apart, and good poses stand apart from that.)
+const MOST_OF_ROWS: f64 = 0.5;
 
 /// Rounds of each kind of weights.
 const ROUNDS: [usize; 2] = [3, 6];
@@ -66,9 +69,7 @@ pub(crate) fn suspected_beside_many(
     let axes = rows.axes.len();
     let places = ByPose::of_places(&rows.inputs.q, n);
     let share = places.shares();
-    // With more columns than half of the rows the mean leverage is above ½, a fit follows most of whatever stands apart, and
-    // good poses stand apart from that.
-    if q.ncols() as f64 > HALF * independent_rows(&rows, &places) as f64 {
+    if q.ncols() as f64 > MOST_OF_ROWS * independent_rows(&rows, &places) as f64 {
         return Vec::new();
     }
     let mut weights = vec![1.0; n];

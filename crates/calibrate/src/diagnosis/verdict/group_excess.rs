@@ -3,8 +3,11 @@
 
 use super::excess::excess_of;
 use crate::model::shapes::Where;
+use crate::odds;
 use crate::sessions::{Group, Session};
-use crate::{fewest, odds};
+
+/// With fewer samples a group shows nothing.
+const FEWEST: usize = 5;
 
 /// The group of which it is, from its first sample to its last (counted from 1), where it is of one. `lengths_mm` is
 /// what every sample leaves.
@@ -21,7 +24,7 @@ pub(crate) fn place(session: &Session, lengths_mm: &[f64]) -> Option<Where> {
                 });
                 let squares: Vec<f64> = own.map(|i| lengths_mm[i].powi(2)).collect();
                 let n = squares.len();
-                (n >= fewest::OF_A_PART).then(|| (squares.iter().sum::<f64>() / n as f64, n as f64))
+                (n >= FEWEST).then(|| (squares.iter().sum::<f64>() / n as f64, n as f64))
             };
             let (Some(own), Some(others)) = (mean_square(true), mean_square(false)) else {
                 continue;

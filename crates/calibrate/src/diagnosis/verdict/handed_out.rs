@@ -39,7 +39,6 @@ use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::model::Model;
 use crate::numeric::median;
-use crate::thresholds;
 use crate::thresholds::GROSS_SHARE;
 
 use super::divergent_terms::runs_away;
@@ -47,6 +46,12 @@ use super::unseen::{self, Procedure};
 use super::values::{Values, corrected_for_selection};
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::prepare::PreparedSearch;
+
+/// The median deviation of what is handed out may be so many times that of `identify`: more is no scatter.
+const MOST_TIMES_MEDIAN: f64 = 1.25;
+/// Where nothing was found the identification without what was set aside takes its place if the median deviation is
+/// below this share of that with it: the others had bent it.
+const GAINS_OF_MEDIAN: f64 = 0.9;
 
 /// What is handed out.
 pub(crate) struct HandedOut<'a> {
@@ -194,14 +199,14 @@ impl<'a> Against<'_, 'a> {
         held_out
             && !gross
             && own.end_mm <= self.rms_mm
-            && median_mm(problem, model) <= thresholds::ALIKE * self.median_mm
+            && median_mm(problem, model) <= MOST_TIMES_MEDIAN * self.median_mm
             && runs_away(problem, model).is_none()
     }
 
     /// Whether the identification without what was set aside shows that the others had bent it.
     fn gains(&self, own: &WayToValues) -> bool {
         let median_mm = median_mm(self.problem, &own.values.model);
-        own.end_mm < self.rms_mm && median_mm < thresholds::NEARLY_ALL * self.median_mm
+        own.end_mm < self.rms_mm && median_mm < GAINS_OF_MEDIAN * self.median_mm
     }
 
     fn handed_out(&self, own: WayToValues<'a>, dropped: Vec<Term>) -> HandedOut<'a> {

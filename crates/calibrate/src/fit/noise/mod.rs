@@ -43,6 +43,16 @@ pub(crate) use filter::{Filter, Step};
 use joints::JointFilter;
 pub(crate) use joints::carried;
 
+/// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on the axes
+/// differ: p < 0.0004.
+/// Weights are then not by chance.
+const UNEQUAL_EVIDENCE: f64 = 16.0;
+/// Twice the logarithm of the likelihood ratio from which on a slow part is there. A time constant
+/// and a size for each axis on the boundary of their range: white noise exceeds it in about one
+/// session of a hundred (`hidden_effects noise`).
+/// 0 of 40 sessions of white noise of `hidden_effects slow` exceed it.
+const SLOW_EVIDENCE: f64 = 12.0;
+
 /// Estimates from a few hundred samples differ by this: of what is slow and of what the joints do not repeat …
 const ALIKE: f64 = 0.1;
 /// … of time constants, as logarithms …
@@ -78,10 +88,9 @@ fn least_white_mm(stated: Option<Sigma>, rows: &Rows) -> f64 {
     }
 }
 
-/// Whether a slow part is there: a time constant and a size for each axis, on the boundary of their range. White noise
-/// makes as much likelier in about one session of a hundred (`hidden_effects noise`; 0 of 40 of `slow`).
+/// Whether a slow part is there.
 fn is_slow(trial: &Trial, white: f64) -> bool {
-    trial.0 - white > odds::TAKEN.nats()
+    2.0 * (trial.0 - white) > SLOW_EVIDENCE
 }
 
 impl Noise {
@@ -183,7 +192,7 @@ impl Noise {
             }
             if let Some((likelihood, tau, ratio)) = best {
                 noise.slow_evidence = 2.0 * (likelihood - white);
-                if noise.slow_evidence > 2.0 * odds::TAKEN.nats() {
+                if noise.slow_evidence > SLOW_EVIDENCE {
                     slow = NoiseShape {
                         tau,
                         ratio,
@@ -262,8 +271,7 @@ impl Noise {
             }
             let ratio = |s: f64| (s / pooled).max(rounding::WRITTEN);
             let evidence: f64 = spread.iter().map(|s| -s.1 * ratio(s.0).ln()).sum();
-            // Of two degrees of freedom χ² is above 2 ln n once in n sessions: weights are then not by chance.
-            if stated || !self.unequal && evidence < 2.0 * odds::CLEAR.nats() {
+            if stated || !self.unequal && evidence < UNEQUAL_EVIDENCE {
                 return;
             }
             stated = false;

@@ -1,8 +1,8 @@
 //! How sure it is that a group of samples is elsewhere.
 
+use crate::set_up_errors::thresholds::EVIDENCE;
 use crate::text::Text;
 use crate::text::length;
-use crate::{odds, rounding};
 
 /// The share of the error that a place that is elsewhere has to leave.
 pub(super) const LEAVES: f64 = 0.6;
@@ -19,16 +19,13 @@ pub(in crate::set_up_errors) fn evidence(
     numbers: usize,
 ) -> f64 {
     let rows = (samples * axes) as f64;
-    let gain = rows
-        * (before_mm / after_mm.max(rounding::COMPUTED))
-            .max(rounding::COMPUTED)
-            .ln();
+    let gain = rows * (before_mm / after_mm.max(1e-9)).max(1e-9).ln();
     gain - 0.5 * numbers as f64 * rows.max(2.0).ln()
 }
 
 /// Whether that is enough for belief, where no more than this share of the error may be left.
 pub(super) fn is_believed(evidence: f64, before_mm: f64, after_mm: f64, leaves: f64) -> bool {
-    evidence > odds::BEYOND_DOUBT.nats() && after_mm < leaves * before_mm
+    evidence > EVIDENCE && after_mm < leaves * before_mm
 }
 
 pub(super) fn in_numbers(before_mm: f64, after_mm: f64) -> Text {

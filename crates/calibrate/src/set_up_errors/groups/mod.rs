@@ -19,19 +19,23 @@ mod targets;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::sessions::Session;
-use crate::{budget, fewest};
 
 pub(super) use evidence::evidence;
 pub(super) use targets::problem as target_elsewhere;
 
+/// With fewer samples nothing is told.
+const FEWEST_SAMPLES: usize = 16;
+/// Names that are exchanged hide what else is elsewhere: so often the search begins anew with the right ones.
+const MOST_RENAMED: usize = 3;
+
 /// The places that are elsewhere.
 pub(super) fn elsewhere(session: &Session, values: JointValues) -> Vec<DataProblem> {
     let mut problems = Vec::new();
-    if session.samples.len() < fewest::TO_SEARCH {
+    if session.samples.len() < FEWEST_SAMPLES {
         return problems;
     }
     let mut now = session.clone();
-    for _ in 0..budget::ROUNDS {
+    for _ in 0..=MOST_RENAMED {
         let Some(placed) = placed::placed(&now, values) else {
             break;
         };

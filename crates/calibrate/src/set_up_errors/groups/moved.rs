@@ -15,12 +15,27 @@ use crate::model::Model;
 use crate::observations::compared::{ComparedObservation, compared_with};
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::Text;
-use crate::thresholds::NEARLY_ALL;
-use crate::{budget, fewest, odds, rounding};
 
 use super::evidence::MOST_PLACES;
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
 use crate::set_up_errors::fits::fitted;
+use crate::set_up_errors::thresholds::{EVIDENCE, MOST_SAMPLES};
+
+/// At most so many groups are taken to have moved; of most of them none is known to stand still.
+const MOST_MOVED: usize = 4;
+/// So many suspicions are tried before the next is believed.
+const MOST_TRIED: usize = 3;
+/// Fewest samples on either side of a move …
+const FEWEST: usize = 3;
+/// … and so many measured numbers for each that says where the group is: three distances have a place however wild
+/// they are.
+const NUMBERS_FOR_EACH: usize = 2;
+/// A socket alone, of which several move, need not carry the whole error: it has to leave less than this share of
+/// it. Another group takes up a part of many an effect, and has to leave as little as any place.
+const SOCKET_LEAVES: f64 = 0.9;
+/// What the regression explains as a logarithm before a fit is made. The base has taken up a part of a move, so
+/// that a fit shows more.
+const WORTH_A_FIT: f64 = EVIDENCE / 3.0;
 
 /// A suspicion: how much it explains, as a logarithm, and what takes it back.
 struct Suspicion {
@@ -74,17 +89,17 @@ pub(super) fn moved(session: &Session, values: JointValues) -> Option<Moved> {
         .filter(|group| arm || *group != Group::Target)
         .filter(several)
         .collect();
-    if groups.is_empty() || session.samples.len() > budget::OF_A_TRIAL * 4 {
+    if groups.is_empty() || session.samples.len() > MOST_SAMPLES * 4 {
         return None;
     }
     let (mut model, mut before) = fitted(session, values)?;
     let before_mm = before;
     let mut problems = Vec::new();
     let mut now: Option<Session> = None;
-    for _ in 0..budget::ROUNDS {
+    for _ in 0..MOST_MOVED {
         let here = now.as_ref().unwrap_or(session);
         let suspicions = suspicions(here, values, &model, &groups).into_iter();
-        let tried = suspicions.take(budget::LIKELIEST);
+        let tried = suspicions.take(MOST_TRIED);
         let tried =
             tried.filter_map(|suspicion| FittedSuspicion::of(suspicion, here, values, before));
         let Some(best) = tried.min_by(|a, b| a.left_mm.total_cmp(&b.left_mm)) else {
@@ -129,7 +144,7 @@ impl FittedSuspicion {
         let samples = session.samples.len();
         let evidence = evidence(samples, rows_of(group), before_mm, left_mm, numbers);
         let leaves = match group {
-            Group::Socket => NEARLY_ALL,
+            Group::Socket => SOCKET_LEAVES,
             _ => LEAVES,
         };
         is_believed(evidence, before_mm, left_mm, leaves).then_some(Self {
@@ -180,11 +195,10 @@ fn suspicions(
                 continue;
             };
             let left = (square - explained)
-                .max(rounding::COMPUTED * square)
+                .max(1e-9 * square)
                 .max(f64::MIN_POSITIVE);
             let gain = 0.5 * rows as f64 * (square / left).ln();
-            // The base has taken up a part of a move, so that a fit shows more.
-            if gain > odds::CLEAR.nats() {
+            if gain > WORTH_A_FIT {
                 found.push(Suspicion {
                     gain,
                     group,
@@ -211,9 +225,9 @@ fn best_of(
     stated: bool,
 ) -> Option<(f64, Option<usize>)> {
     let n = own.len();
-    let fewest = (fewest::ROWS_TO_A_COLUMN * numbers_of(group))
+    let fewest = (NUMBERS_FOR_EACH * numbers_of(group))
         .div_ceil(rows_of(group))
-        .max(fewest::NO_ACCIDENT);
+        .max(FEWEST);
     if n < 2 * fewest {
         return None;
     }

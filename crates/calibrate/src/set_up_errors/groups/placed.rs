@@ -17,11 +17,10 @@ use crate::fit::target_places::{
 use crate::model::Model;
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::{Text, length};
-use crate::thresholds;
 
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
 use super::moved::{Moved, moved};
-use super::targets::{self, Contradicted, contradicted};
+use super::targets::{self, AS_WELL, Contradicted, contradicted};
 use crate::set_up_errors::fits::left_mm;
 
 /// What was found elsewhere.
@@ -146,7 +145,7 @@ impl<'a> Shown<'a> {
         let session = self.with(&problems);
         // What was taken for their places explains the samples as free ones do, or they are not.
         let left = left_mm(&session, values).unwrap_or(f64::INFINITY);
-        if left > thresholds::ALIKE * self.left_mm {
+        if left > AS_WELL * self.left_mm {
             return Some(self.open(&seen, &stated));
         }
         Some(Placed {

@@ -5,23 +5,28 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::{JointValues, Setting, TOOL_ORIENTATION, Term};
 use crate::fit::base_model;
-use crate::fit::priors::MISSED;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::fit::target_places::own_parts;
-use crate::kinematics::REACHED_MM;
 use crate::model::Model;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, components, length};
-use crate::{budget, thresholds};
 
 use super::evidence::MOST_PLACES;
 use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
 use crate::set_up_errors::fits::{fitted, fitted_from, some_samples};
-use crate::thresholds::{GROSS_SHARE, MENDED_SHARE};
+use crate::set_up_errors::thresholds::{GROSS_SHARE, MENDED_SHARE};
 
+/// A place is off beyond so many standard deviations of what is known of it.
+const OFF: f64 = 4.0;
+/// How often the weights are made anew that leave as many targets as possible where they are said to be.
+const ROUNDS: usize = 12;
+/// Below this a target is where it is said to be, for those weights, mm.
+const STILL_MM: f64 = 0.02;
 /// How much more the first target is held than the others.
 const FIRST: f64 = 3.0;
+/// A turned tool that leaves no more than so many times as much as free targets explains them.
+pub(super) const AS_WELL: f64 = 1.15;
 
 /// A session of an arm with its targets free, where they contradict what it states of them.
 pub(super) struct Contradicted {
@@ -72,7 +77,7 @@ pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Con
     if !is_believed(evidence, before, after, leaves) || after > gross {
         return None;
     }
-    if turned_mm(&stated, values).is_some_and(|turned| turned < thresholds::ALIKE * after) {
+    if turned_mm(&stated, values).is_some_and(|turned| turned < AS_WELL * after) {
         return None;
     }
     let mut free = session.clone();
@@ -121,7 +126,7 @@ fn of_one_axis(
     let off: Vec<(usize, Vector3<f64>)> = by
         .into_iter()
         .enumerate()
-        .filter(|(_, by)| by.norm() > MISSED * sigma)
+        .filter(|(_, by)| by.norm() > OFF * sigma)
         .collect();
     if off.is_empty() {
         return None;
@@ -172,9 +177,7 @@ fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vec
     }
     let scale = DVector::from_iterator(
         columns.ncols(),
-        columns
-            .column_iter()
-            .map(|c| c.norm().max(f64::MIN_POSITIVE)),
+        columns.column_iter().map(|c| c.norm().max(1e-12)),
     );
     for (k, mut column) in columns.column_iter_mut().enumerate() {
         column /= scale[k];
@@ -184,7 +187,7 @@ fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vec
     let mut weight = vec![1.0; targets];
     weight[0] = FIRST;
     let mut by = vec![Vector3::zeros(); targets];
-    for _ in 0..budget::ROUNDS {
+    for _ in 0..ROUNDS {
         let mut now = gram.clone();
         for k in 0..now.nrows() {
             now[(k, k)] += 1e-12;
@@ -203,7 +206,7 @@ fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vec
             });
             // Of two that moved against each other the one that is named first stands.
             let first = if target == 0 { FIRST } else { 1.0 };
-            weight[target] = first / by[target].norm().max(REACHED_MM);
+            weight[target] = first / by[target].norm().max(STILL_MM);
         }
     }
     Some(by)

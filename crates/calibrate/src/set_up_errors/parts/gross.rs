@@ -19,22 +19,31 @@ use crate::kinematics::JointKind;
 use crate::numeric::{likeliest_stretch, median};
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::{Text, length};
-use crate::{budget, fewest, odds};
 
 use crate::set_up_errors::changes::{Change, of_rows};
 use crate::set_up_errors::fits;
 use crate::set_up_errors::groups::{self, evidence};
 use crate::set_up_errors::nearest::{Nominal, Pair, cost, cost_of, left, motion};
 use crate::set_up_errors::rows::{Part, RowsInOrder};
-use crate::thresholds::{EQUAL, GROSS_SHARE, PLAUSIBLE_SHARE};
+use crate::set_up_errors::thresholds::{EQUAL, EVIDENCE, GROSS_SHARE, PLAUSIBLE_SHARE};
 
-/// Rows by which the ends of a stretch are found.
+/// Rows that the search looks at …
+const MOST_ROWS: usize = 160;
+/// … and by which the ends of a stretch are found.
 const MOST_EXACT: usize = 4000;
+/// With fewer rows that count nothing is reported.
+const FEWEST_ROWS: usize = 16;
+/// Fewest rows that differ.
+const FEWEST_IN_A_PART: usize = 4;
 /// Ends of stretches that are tried.
 const GRID: usize = 8;
 /// Rows that are corrected leave at most so many times what the others leave, and have left at least as many times
 /// more before.
 const ALIKE: f64 = 4.0;
+/// Changes within so much of the likeliest, as a logarithm, are told apart by a fit.
+const NEAR: f64 = 12.0;
+/// So many are fitted.
+const MOST_FITTED: usize = 4;
 
 /// The likeliest of them.
 pub(in crate::set_up_errors) fn gross(session: &Session, values: JointValues) -> Vec<DataProblem> {
@@ -42,7 +51,7 @@ pub(in crate::set_up_errors) fn gross(session: &Session, values: JointValues) ->
         return Vec::new();
     }
     let changes = of_rows(session);
-    let search = Search::over(session, values, &changes, budget::OF_A_TRIAL);
+    let search = Search::over(session, values, &changes, MOST_ROWS);
     if !search.is_gross() {
         return Vec::new();
     }
@@ -148,7 +157,7 @@ impl<'a> Search<'a> {
     fn is_gross(&self) -> bool {
         let lengths = self.as_it_stands_mm();
         let wrong = lengths.iter().filter(|length| **length > self.gross_mm());
-        lengths.len() >= fewest::TO_SEARCH && wrong.count() >= fewest::OF_A_PART
+        lengths.len() >= FEWEST_ROWS && wrong.count() >= FEWEST_IN_A_PART
     }
 
     /// How far each point is from the robot where a part of them is as `seen` has it; `own`: it is seen from another
@@ -256,7 +265,7 @@ impl<'a> Search<'a> {
                 cost_of(*stands, sigma) - cost_of(*then, sigma) + seen.ln_volume
             });
             let (first, end) = likeliest_stretch(gain);
-            if end - first < fewest::OF_A_PART || end - first == mask.len() {
+            if end - first < FEWEST_IN_A_PART || end - first == mask.len() {
                 return None;
             }
             trial.part = Part::Stretch(first, end);
@@ -324,7 +333,7 @@ impl<'a> Search<'a> {
                 typical(&mask, true, stands),
             ]
             .map(|mm| mm.unwrap_or(f64::INFINITY));
-            inside.min(mask.len() - inside) >= 2 * fewest::OF_A_PART
+            inside.min(mask.len() - inside) >= 2 * FEWEST_IN_A_PART
                 && others < self.plausible_mm()
                 && own >= ALIKE * others
         };
@@ -353,24 +362,22 @@ impl<'a> Search<'a> {
     fn best(&self, exact: &Search) -> Option<Vec<DataProblem>> {
         let before = cost(&self.as_it_stands_mm()).1;
         let likely = self.tried().into_iter();
-        let likely = likely.take_while(|trial| before - trial.cost > odds::BEYOND_DOUBT.nats());
+        let likely = likely.take_while(|trial| before - trial.cost > EVIDENCE);
         // Settled in all the rows, where costs are others.
         let before = cost(&exact.as_it_stands_mm()).1;
-        let settled = likely.take(2 * budget::LIKELIEST).filter_map(|trial| {
+        let settled = likely.take(2 * MOST_FITTED).filter_map(|trial| {
             let part = exact.translated(&self.rows, trial.part);
             exact.settled(Trial { part, ..trial })
         });
-        let mut near: Vec<Trial> = settled
-            .filter(|t| before - t.cost > odds::BEYOND_DOUBT.nats())
-            .collect();
+        let mut near: Vec<Trial> = settled.filter(|t| before - t.cost > EVIDENCE).collect();
         near.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         let least = near.first().map_or(0.0, |first| first.cost);
         // What is wrong in all rows is found by fits, which know more twins.
         if near.first().is_some_and(|first| first.part == Part::All) {
             return None;
         }
-        near.retain(|trial| trial.cost < least + odds::RARE.nats() && trial.part != Part::All);
-        near.truncate(budget::LIKELIEST);
+        near.retain(|trial| trial.cost < least + NEAR && trial.part != Part::All);
+        near.truncate(MOST_FITTED);
         let mut candidates: Vec<Candidate> = near
             .into_iter()
             .filter_map(|trial| exact.candidate(trial))
@@ -406,12 +413,12 @@ impl<'a> Search<'a> {
                 .map_or(Vector3::zeros(), |own| own.1);
             let known = self.session.instrument.targets_sigma_mm.is_some();
             let off = (known && by.norm() > self.gross_mm()).then_some((index, by, free));
-            let likelier = evidence(rows, axes, elsewhere, left, 0) > odds::BEYOND_DOUBT.nats();
+            let likelier = evidence(rows, axes, elsewhere, left, 0) > EVIDENCE;
             likelier.then_some((left, candidate, off))
         };
         let mut fitted: Vec<_> = candidates.into_iter().filter_map(with).collect();
         let least = fitted.iter().map(|one| one.0).min_by(f64::total_cmp)?;
-        if evidence(rows, axes, before, least, axes) < odds::BEYOND_DOUBT.nats() {
+        if evidence(rows, axes, before, least, axes) < EVIDENCE {
             return None;
         }
         fitted.retain(|one| one.0 <= EQUAL * least);

@@ -21,23 +21,37 @@ use crate::effects::JointValues;
 use crate::fit::base_model;
 use crate::linear::Basis;
 use crate::model::Model;
+use crate::numeric;
 use crate::sessions::{Group, Session};
-use crate::{budget, fewest, numeric, odds};
 
 use super::moved::{Step, What};
 use crate::set_up_errors::fits::fitted;
 use crate::set_up_errors::left::{Beside, Left, MOST, Motion, beside};
 use crate::set_up_errors::rows::{Part, RowsInOrder};
+use crate::set_up_errors::thresholds;
 
+/// Rows that are looked at.
+const MOST_ROWS: usize = 240;
+/// With fewer rows that count nothing is reported.
+const FEWEST_ROWS: usize = 24;
+/// Fewest rows on either side of a step.
+const FEWEST_BESIDE: usize = 4;
+/// Most steps of one session.
+const MOST_STEPS: usize = 6;
+/// Rows to a column, at least.
+const ROWS_TO_A_COLUMN: usize = 2;
 /// The logarithm by which a step is likelier at its row than so large a share of the rows before and behind.
+const SHARP: f64 = 8.0;
 const BESIDE_SHARE: f64 = 1.0 / 15.0;
+/// The logarithm by which the home has to be likelier than a target or a frame that moved.
+const LIKELIER: f64 = 3.0;
 /// How often sizes are fitted again with what they corrected.
 const ROUNDS: usize = 3;
 
 /// Everything that moved: homes to which the rows before are turned, and frames of their own.
 pub(in crate::set_up_errors) fn steps(session: &Session, values: JointValues) -> Vec<DataProblem> {
-    let rows = RowsInOrder::of(session, budget::OF_A_TRIAL).of_new_places(session);
-    if rows.len() < fewest::TO_SEARCH || !session.has_plain_points() {
+    let rows = RowsInOrder::of(session, MOST_ROWS).of_new_places(session);
+    if rows.len() < FEWEST_ROWS || !session.has_plain_points() {
         return Vec::new();
     }
     sized(&rows.select(session), values).map_or_else(Vec::new, |(steps, left_mm)| {
@@ -156,7 +170,7 @@ fn gains(left: &Left, Beside { basis, free, .. }: &Beside, columns: &[DVector<f6
                 }
             }
         }
-        if i < fewest::OF_A_PART || i + fewest::OF_A_PART > n || !left.may_move_at[i] {
+        if i < FEWEST_BESIDE || i + FEWEST_BESIDE > n || !left.may_move_at[i] {
             continue;
         }
         let mut projected = gram;
@@ -167,7 +181,7 @@ fn gains(left: &Left, Beside { basis, free, .. }: &Beside, columns: &[DVector<f6
         }
         // What the base follows all the same shows nothing.
         for k in 0..MOST {
-            let least = 1e-3 * gram[(k, k)].max(f64::EPSILON);
+            let least = 1e-3 * gram[(k, k)].max(1e-12);
             projected[(k, k)] = projected[(k, k)].max(0.0) + least;
         }
         let solved = nalgebra::Cholesky::new(projected).map(|factor| factor.solve(&pull));
@@ -185,14 +199,14 @@ fn found(few: &Session, values: JointValues, model: &Model) -> Option<Vec<Step>>
         all.push(What::Frame);
     }
     let mut steps: Vec<Step> = Vec::new();
-    while steps.len() < budget::ROUNDS {
+    while steps.len() < MOST_STEPS {
         let beside = left.beside_steps(few, &steps)?;
         let each = all.iter().map(|what| (*what, beside.best(*what)));
-        let price = |what| f64::from(u8::from(what == What::Frame)) * odds::RARE.nats();
+        let price = |what| f64::from(u8::from(what == What::Frame)) * thresholds::LIKELIER;
         let likeliest = |(what, (_, nats)): &(What, (usize, f64))| nats - price(*what);
         let best = each.max_by(|a, b| likeliest(a).total_cmp(&likeliest(b)));
         let (what, (from, nats)) = best?;
-        if nats < odds::RARE.nats() {
+        if nats < thresholds::LIKELIER {
             break;
         }
         let by = 0.0;
@@ -214,8 +228,7 @@ impl Left {
     fn beside_steps(&self, few: &Session, steps: &[Step]) -> Option<AtRows<'_>> {
         let mut columns = self.rivals(few);
         // What matters most comes first.
-        let most =
-            (self.residual.len() / fewest::ROWS_TO_A_COLUMN).checked_sub(self.base.ncols())?;
+        let most = (self.residual.len() / ROWS_TO_A_COLUMN).checked_sub(self.base.ncols())?;
         columns.truncate(most);
         columns.extend(
             steps
@@ -236,7 +249,9 @@ impl Left {
             };
             let each = (0..steps.len()).map(|k| (k, evidence(k)));
             match each.min_by(|a, b| a.1.total_cmp(&b.1)) {
-                Some((weakest, evidence)) if evidence < odds::RARE.nats() => steps.remove(weakest),
+                Some((weakest, evidence)) if evidence < thresholds::LIKELIER => {
+                    steps.remove(weakest)
+                }
                 _ => return,
             };
         }
@@ -285,24 +300,22 @@ impl<'a> AtRows<'a> {
         let (left, n) = (self.left, self.left.n);
         let all = self.by_row(what);
         let own = all[from];
-        let aside = numeric::whole((BESIDE_SHARE * n as f64).max(fewest::NO_ACCIDENT as f64));
+        let aside = numeric::whole((BESIDE_SHARE * n as f64).max(3.0));
         let about = from.saturating_sub(aside)..(from + aside + 1).min(n);
         let there = [from.checked_sub(aside), Some(from + aside)];
         let begin = |k: &usize| (0..=*k).rev().find(|i| left.may_move_at[*i]);
         let mut there = there.iter().flatten().filter(|k| **k < n).filter_map(begin);
-        let is_sharp = there.all(|k| own >= all[k] + odds::CLEAR.nats());
+        let is_sharp = there.all(|k| own >= all[k] + SHARP);
         let best = |nats: &[f64]| nats[about.clone()].iter().copied().fold(f64::MIN, f64::max);
         let gained =
             |motion: &Motion, numbers: usize| best(&self.of_rows(&left.moved(motion, 3), numbers));
         let mut rivals = match what {
             // A slide's home is its frame along it: that has a name of its own, at the price of one number.
-            What::Home(_) => {
-                best(&self.by_row(What::Frame)).max(gained(&left.frame, 1)) + odds::OPEN.nats()
-            }
+            What::Home(_) => best(&self.by_row(What::Frame)).max(gained(&left.frame, 1)) + LIKELIER,
             // A frame that moved and did not turn is an effect.
             What::Frame => {
                 let homes = (0..left.joints.len()).map(|j| best(&self.by_row(What::Home(j))));
-                homes.fold(gained(&left.frame, 3), f64::max) + odds::RARE.nats()
+                homes.fold(gained(&left.frame, 3), f64::max) + thresholds::LIKELIER
             }
         };
         for target in 0..Group::Target.count(few) {
@@ -311,7 +324,7 @@ impl<'a> AtRows<'a> {
                 motion.map(|by| by * f64::from(u8::from(is_own)))
             };
             let own: Motion = left.target.iter().enumerate().map(of_sample).collect();
-            rivals = rivals.max(gained(&own, 3) + odds::OPEN.nats());
+            rivals = rivals.max(gained(&own, 3) + LIKELIER);
         }
         if !is_sharp || own <= rivals {
             return f64::MIN;
@@ -331,7 +344,7 @@ fn refine(left: &Left, steps: &mut [Step]) {
     let solution = Basis::new(&all).solve(&left.residual);
     let homes = steps.iter_mut().filter(|step| step.what != What::Frame);
     for (k, (step, column)) in homes.zip(&columns).enumerate() {
-        step.by += solution[left.base.ncols() + k] / column.norm().max(f64::MIN_POSITIVE);
+        step.by += solution[left.base.ncols() + k] / column.norm().max(1e-12);
     }
 }
 
@@ -352,6 +365,6 @@ fn still_likelier(left: &Left, all: &[Step], step: Step) -> bool {
             .beside
             .nats_without(step.by * step.by * own.norm_squared())
             - (left.n as f64).ln()
-            >= odds::RARE.nats()
+            >= thresholds::LIKELIER
     })
 }

@@ -27,7 +27,6 @@ mod path;
 mod starts;
 
 use crate::answers::diagnosis::DataProblem;
-use crate::distributions::CHI_MEDIANS;
 use crate::effects::{Inputs, JointValues};
 use crate::fit::problem::Problem;
 use crate::fit::spread::places;
@@ -36,16 +35,31 @@ use crate::numeric::median;
 use crate::row_checks::listed;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::length;
-use crate::{budget, odds, rounding};
 
 use super::fits::{fit, start_of};
-use crate::thresholds::{GROSS_SHARE, MENDED_SHARE, PLAUSIBLE_SHARE};
-use path::{Path, Points};
+use super::nearest::LEAST_SIGMA_MM;
+use path::{MEDIAN_LENGTH, Path, Points};
 use starts::starts;
 
+/// How often a path is improved by a fit.
+const MOST_ROUNDS: usize = 4;
+/// So many of the likeliest paths are fitted …
+const MOST_FITTED: usize = 3;
+/// … to so many rows; of a long session they are spread evenly.
+const MOST_ROWS: usize = 400;
+/// The logarithm by which a shift has to be likelier.
+const EVIDENCE: f64 = 25.0;
+/// What the rows that move leave afterwards, as a share of before.
+const MENDED_SHARE: f64 = 0.25;
+/// What a robot may leave once its rows are right, as a share of the size of the session.
+const PLAUSIBLE_SHARE: f64 = 0.02;
+/// A shift of all rows alike looks like a joint that lags: it is one where no robot lags so far.
+const GROSS_SHARE: f64 = 0.01;
 /// A step that is less than this share of the scatter does not show: no point can be told from the one beside
 /// it, as in a recording of a slow move.
 const HIDDEN_SHARE: f64 = 0.25;
+/// Where fewer than one row in so many has a longer step, no shift can be seen.
+const FEWEST_HIDDEN: usize = 1000;
 
 /// The shifts that are believed.
 pub(super) fn shifted(session: &Session, values: JointValues) -> Vec<DataProblem> {
@@ -93,9 +107,7 @@ impl Search<'_> {
         }
         let as_it_is = self.fitted(Path::default())?;
         let hidden_mm = HIDDEN_SHARE * as_it_is.sigma_mm;
-        // Where fewer than one row in a thousand has a longer step no shift can be seen.
-        let far = path::far_steps(&as_it_is.predicted, hidden_mm) as f64;
-        if odds::CLEAR.chance() * points.len() as f64 > far {
+        if points.len() > FEWEST_HIDDEN * path::far_steps(&as_it_is.predicted, hidden_mm) {
             return None;
         }
         trials.sort_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -111,7 +123,7 @@ impl Search<'_> {
         }
         let settled = paths
             .into_iter()
-            .take(budget::LIKELIEST)
+            .take(MOST_FITTED)
             .filter_map(|path| self.settled(path));
         let cost = |end: &Fitted| {
             self.cost(end, &end.path, end.sigma_mm) + points.len() as f64 * 3.0 * end.sigma_mm.ln()
@@ -127,7 +139,7 @@ impl Search<'_> {
         let n = self.points.len();
         let mut part = self.session.clone();
         SessionCorrection::PairRows(path.changes.clone()).apply(&mut part);
-        let some: Vec<Option<usize>> = places(n, budget::OF_A_TRIAL).map(Some).collect();
+        let some: Vec<Option<usize>> = places(n, MOST_ROWS).map(Some).collect();
         part.samples.select(&some);
         let mut problem = Problem::new(&part, self.values);
         if problem.samples() == 0 {
@@ -135,18 +147,18 @@ impl Search<'_> {
         }
         let start = start_of(&part, &problem);
         let predicted = fit(&mut problem, &start).predict(&self.inputs);
-        let sigma_mm = self.typical(&predicted, &path, 0..n)? / CHI_MEDIANS[2];
+        let sigma_mm = self.typical(&predicted, &path, 0..n)? / MEDIAN_LENGTH;
         Some(Fitted {
             path,
             predicted,
-            sigma_mm: sigma_mm.max(rounding::WRITTEN),
+            sigma_mm: sigma_mm.max(LEAST_SIGMA_MM),
         })
     }
 
     /// A path that fits itself.
     fn settled(&self, path: Path) -> Option<Fitted> {
         let mut end = self.fitted(path)?;
-        for _ in 0..budget::ROUNDS {
+        for _ in 0..MOST_ROUNDS {
             let next = path::likeliest(&self.points, &end.predicted, end.sigma_mm);
             if next == end.path {
                 break;
@@ -194,7 +206,7 @@ impl Search<'_> {
         let of_all = |fit: &Fitted| self.typical(&fit.predicted, &fit.path, 0..n);
         let (before, after) = (of_moved(as_it_is)?, of_moved(&end)?);
         let gross = end.path.changes.len() > 1 || end.path.changes[0].0 > 0;
-        let believed = evidence > odds::BEYOND_DOUBT.nats()
+        let believed = evidence > EVIDENCE
             && after < MENDED_SHARE * before
             && of_all(&end)? < PLAUSIBLE_SHARE * size
             && (gross || of_all(as_it_is)? > GROSS_SHARE * size);

@@ -1,17 +1,29 @@
 //! The likeliest path of shifts through the rows.
 
-use nalgebra::Vector3;
-
 use crate::fit::problem::unusable;
 use crate::model::Positions;
 use crate::sessions::{Samples, Session};
-use crate::set_up_errors::nearest::cost_of;
 use crate::text::Text;
-use crate::{budget, fewest, odds};
+use nalgebra::Vector3;
 
+use crate::set_up_errors::nearest::cost_of;
+
+/// More changes than this are no points that were lost.
+const MOST_CHANGES: usize = 8;
+/// The median length of three coordinates with σ = 1.
+pub(super) const MEDIAN_LENGTH: f64 = 1.538;
 /// Shifts that are tried, to either side.
 pub(super) const MOST_SHIFT: isize = 3;
 const STATES: usize = 2 * MOST_SHIFT as usize + 1;
+/// The logarithm of the price of a change, beside that of its place.
+const PRICE: f64 = 6.0;
+/// What a row without a point costs: as much as one 3 σ off.
+const WITHOUT_A_POINT: f64 = 4.0;
+/// A row whose point would be behind an end of the file, or would be one that was not measured: a shift that only
+/// takes rows out fits nothing.
+const NO_POINT_THERE: f64 = 20.0;
+/// A shift that ends again has given at least so many rows a point.
+const FEWEST_IN_A_ROW: usize = 3;
 /// Rows to either side between which the place of a change is sought again.
 const NEAR: usize = 4;
 
@@ -34,7 +46,7 @@ impl<'s> Points<'s> {
         };
         let known = || (0..points.len()).filter_map(|row| points.get(row));
         let n = known().count();
-        if n < fewest::TO_SEARCH {
+        if n < FEWEST_SAMPLES {
             return None;
         }
         let mean: Vector3<f64> = known().sum::<Vector3<f64>>() / n as f64;
@@ -90,7 +102,7 @@ impl Path {
 
     /// Whether some row is, and not more often than points are lost.
     pub(super) fn is_shift(&self) -> bool {
-        !self.is_none() && self.changes.len() <= budget::ROUNDS
+        !self.is_none() && self.changes.len() <= MOST_CHANGES
     }
 
     fn shift_of(&self, row: usize) -> isize {
@@ -118,7 +130,7 @@ impl Path {
             let (first, by) = self.changes[k];
             let end = self.changes.get(k + 1).map_or(rows, |next| next.0);
             let least = if end < rows && by != 0 {
-                fewest::NO_ACCIDENT
+                FEWEST_IN_A_ROW
             } else {
                 1
             };
@@ -190,18 +202,18 @@ fn price_of(from: isize, to: isize, rows: usize) -> f64 {
         return 0.0;
     }
     let jump = from.abs_diff(to) as f64;
-    odds::TAKEN.nats() * (1.0 + 0.5 * (jump - 1.0)) + (rows.max(2) as f64).ln()
+    PRICE * (1.0 + 0.5 * (jump - 1.0)) + (rows.max(2) as f64).ln()
 }
 
 /// What a deviation costs.
 pub(super) fn cost(deviation_mm: Option<f64>, sigma_mm: f64) -> f64 {
-    cost_of(deviation_mm.unwrap_or(3.0 * sigma_mm), sigma_mm)
+    deviation_mm.map_or(WITHOUT_A_POINT, |r| cost_of(r, sigma_mm))
 }
 
 /// What the deviation of a point costs that is that of so many rows below.
 pub(super) fn cost_of_shifted(deviation_mm: Option<f64>, by: isize, sigma_mm: f64) -> f64 {
     if by != 0 && deviation_mm.is_none() {
-        odds::BEYOND_DOUBT.nats()
+        NO_POINT_THERE
     } else {
         cost(deviation_mm, sigma_mm)
     }
@@ -268,7 +280,7 @@ pub(super) fn along(
             let own = if inside {
                 cost(row, shift(to))
             } else {
-                odds::BEYOND_DOUBT.nats()
+                NO_POINT_THERE
             };
             next[to] = best + own;
             from[to] = at as u8;
@@ -323,6 +335,9 @@ fn place_exactly(path: &mut Path, rows: usize, cost: &dyn Fn(usize, Option<usize
         }
     }
 }
+
+/// With fewer samples a shift cannot be told from anything else.
+const FEWEST_SAMPLES: usize = 12;
 
 #[cfg(test)]
 mod tests {

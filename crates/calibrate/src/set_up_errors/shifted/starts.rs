@@ -3,22 +3,26 @@
 
 use nalgebra::{Isometry3, Vector3};
 
-use crate::distributions::CHI_MEDIANS;
 use crate::effects::Inputs;
 use crate::fit::spread::places;
 use crate::kinematics::rigid_motion::rigid_motion;
 use crate::model::Model;
 use crate::numeric::median;
 use crate::sessions::{Group, Session};
-use crate::set_up_errors::nearest::moved;
-use crate::{budget, fewest, rounding, thresholds};
+use crate::set_up_errors::nearest::{LEAST_SIGMA_MM, moved};
 
-use super::path::{MOST_SHIFT, Path, Points, along, cost_of_shifted};
+use super::path::{MEDIAN_LENGTH, MOST_SHIFT, Path, Points, along, cost_of_shifted};
 
 /// Stretches that are tried.
 const STRETCHES: usize = 4;
+/// Fewer rows of a setup show no motion.
+const FEWEST_ROWS: usize = 6;
+/// Rows that a trial looks at; of a long session they are spread evenly.
+const MOST_ROWS: usize = 2000;
 /// What a robot that was never calibrated leaves, as a share of the size of the session.
 const NOMINAL_SHARE: f64 = 0.002;
+/// The rows are right where they leave less than this share of what the nearest shift leaves.
+const CLEAR_SHARE: f64 = 0.3;
 
 /// One way to see the session, and the likeliest path then.
 pub(super) struct Start {
@@ -46,17 +50,17 @@ pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points<'_>) ->
     let motions = |by: isize, part: usize, of: usize| -> Option<Vec<Isometry3<f64>>> {
         let motion = |own: &Vec<usize>| {
             let (from, to) = (part * own.len() / of, (part + 1) * own.len() / of);
-            let pairs = places(to - from, budget::SAMPLES).filter_map(|k| {
+            let pairs = places(to - from, MOST_ROWS).filter_map(|k| {
                 let row = own[from + k];
                 Some((row, points.get(row.checked_add_signed(by)?)?))
             });
             let (rows, measured): (Vec<usize>, Vec<Vector3<f64>>) = pairs.unzip();
             let pairs: Vec<_> = nominal(&rows).into_iter().zip(measured).collect();
-            (pairs.len() >= fewest::OF_A_PART).then(|| rigid_motion(&pairs))?
+            (pairs.len() >= FEWEST_ROWS).then(|| rigid_motion(&pairs))?
         };
         of_setups.iter().map(motion).collect()
     };
-    let rows: Vec<usize> = places(n, budget::SAMPLES).collect();
+    let rows: Vec<usize> = places(n, MOST_ROWS).collect();
     let nominal_places = nominal(&rows);
     let trial = |motions: &[Isometry3<f64>]| {
         let seen = rows.iter().zip(&nominal_places);
@@ -80,13 +84,13 @@ pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points<'_>) ->
             others.reduce(f64::min)
         }));
         // Of the last rows alone a shift shows only beside what this robot leaves, not beside what any may leave.
-        let left = own.unwrap_or(sigma) / CHI_MEDIANS[2];
+        let left = own.unwrap_or(sigma) / MEDIAN_LENGTH;
         if path.is_none() && left < sigma {
-            path = likeliest(left.max(rounding::WRITTEN)).0;
+            path = likeliest(left.max(LEAST_SIGMA_MM)).0;
         }
         let clear = own
             .zip(shifted)
-            .is_some_and(|(own, other)| own < thresholds::MENDED_SHARE * other);
+            .is_some_and(|(own, other)| own < CLEAR_SHARE * other);
         Start {
             rows_are_right: path.is_none() && clear,
             path,
