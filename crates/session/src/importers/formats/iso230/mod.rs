@@ -9,7 +9,6 @@
 //! Time goes run by run; within a run of a wide table upwards first, and then downwards.
 
 mod in_units;
-mod measurement;
 mod parts;
 mod sections;
 
@@ -30,8 +29,7 @@ use crate::tables::{Complaints, Grid};
 use crate::text::{Template, Text};
 
 use in_units::{Units, units_of};
-use measurement::Measurement;
-use parts::{TableColumn, headings, parts};
+use parts::{Measurement, TableColumn, headings, parts};
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "iso230",

@@ -19,7 +19,7 @@
 //! deviations in µm. About angles they do not agree.
 
 use super::in_units::Units;
-use super::measurement::Measurement;
+use super::parts::Measurement;
 use crate::diagnostic::Diagnostic;
 use crate::importers::settings::ReadContext;
 use crate::sessions::columns::Unit;
@@ -68,14 +68,19 @@ fn parsed(text: &str) -> (Vec<Measurement>, Vec<(u64, Text, Text)>) {
             continue;
         }
         match section {
-            "TARGET DATA" if row.starts_with(char::is_alphabetic) => {
-                in_targets = row.starts_with("Targets");
-                let behind = row.split_once(':').map_or("", |(_, behind)| behind);
-                let numbers = behind.split_whitespace().filter_map(number);
-                targets.extend(numbers.filter(|_| in_targets));
-            }
-            "TARGET DATA" if in_targets => {
-                targets.extend(row.split_whitespace().filter_map(number));
+            "TARGET DATA" => {
+                let mut behind = row;
+                if row.starts_with(char::is_alphabetic) {
+                    in_targets = row.starts_with("Targets");
+                    behind = row.split_once(':').map_or("", |(_, behind)| behind);
+                }
+                for word in behind.split_whitespace().filter(|_| in_targets) {
+                    // One that is no number keeps its place: those behind it are counted from it.
+                    targets.push(number(word).unwrap_or(f64::NAN));
+                    if number(word).is_none() {
+                        wrong.push((line, Text::verbatim(word), text!("a number")));
+                    }
+                }
             }
             "DEVIATIONS" if !(row.is_empty() || row.starts_with(char::is_alphabetic)) => {
                 let words: Vec<&str> = row.split_whitespace().collect();
@@ -152,6 +157,13 @@ mod tests {
                 (2, -1.0, 0.0, 0.9)
             ]
         );
+    }
+
+    #[test]
+    fn a_target_that_is_no_number_is_named_and_keeps_its_place() {
+        let (list, wrong) = parsed(&FILE.replace(" 0.0  ", " *** "));
+        assert_eq!(wrong.iter().map(|one| one.0).collect::<Vec<_>>(), [7]);
+        assert_eq!(list[1].target, 100.0);
     }
 
     #[test]
