@@ -504,7 +504,7 @@ fn every_constant_that_decides_is_listed_with_its_reason() {
         ("thresholds::NOTICEABLE", "1.15"),
         ("fit::spectrum::RANK_TOLERANCE", "1e-11"),
         ("compensation::set_aside::MOST_SHARE", "0.02"),
-        ("thresholds::LARGEST_OFFSET_DEG", "45.0"),
+        ("set_up_errors::thresholds::LARGEST_OFFSET_DEG", "45.0"),
     ] {
         let row = format!("| `{name}` | {value} | ");
         assert!(rows.iter().any(|line| line.starts_with(&row)), "{row}");
