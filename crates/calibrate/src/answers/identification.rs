@@ -6,7 +6,7 @@ use crate::numeric::extent;
 use nalgebra::DMatrix;
 
 use crate::effects::term::setting_quantity;
-use crate::effects::{Effect, Inputs, Unit, find, form_with};
+use crate::effects::{Effect, Inputs, Setting, Unit, find, form_with};
 use crate::kinematics::Range;
 use crate::model::{Calibration, Conditions, Model, RegionalCorrection, ResidualStep, SetUp};
 use crate::observations::figures::KindFigures;
@@ -54,11 +54,15 @@ const TAKEN_FOR: [(&str, f64, &str); 8] = [
 ];
 
 impl Estimate {
-    /// Whether it is a whole number, which was chosen and has no interval: an order of 2.
-    pub fn is_whole_number(&self) -> bool {
-        let setting = find(self.effect).and_then(|e| setting_quantity(e.about().setting));
-        let counts = setting.is_some_and(|q| q.name == self.name && q.unit.symbol.is_empty());
-        counts && self.ci95.is_none() && self.value.fract() == 0.0
+    /// Whether it was chosen of a list and has no interval: an order of 2, a screw's lead of 10 mm.
+    pub fn is_chosen(&self) -> bool {
+        let Some(setting) = find(self.effect).map(|effect| effect.about().setting) else {
+            return false;
+        };
+        let own = setting_quantity(setting).filter(|q| q.name == self.name);
+        let counts = own.is_some_and(|q| q.unit.symbol.is_empty() && self.value.fract() == 0.0);
+        let listed = own.is_some() && matches!(setting, Setting::Listed(_));
+        self.ci95.is_none() && (counts || listed)
     }
 
     /// Whether it is a size beyond what its effect has on any machine, with the whole of its interval.

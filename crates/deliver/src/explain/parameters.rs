@@ -36,7 +36,7 @@ fn parameters<'a>(estimates: impl Iterator<Item = &'a Estimate>, robot: &Robot) 
     let mut last = String::new();
     for estimate in estimates {
         let (name, parameter, unit) = named(estimate, robot);
-        let (value, interval) = if estimate.is_whole_number() {
+        let (value, interval) = if estimate.is_chosen() {
             (short(estimate.value), String::new())
         } else {
             let [value, _, interval] = with_interval(estimate.value, estimate.ci95);

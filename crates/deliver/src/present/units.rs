@@ -100,11 +100,11 @@ impl Units {
         (value, half, if named { unit } else { "" })
     }
 
-    /// A parameter with half of its interval, and the name of its unit; a whole number has no
-    /// interval.
+    /// A parameter with half of its interval, and the name of its unit; what was chosen of a list has no interval.
     pub fn estimate(self, one: &Estimate, unit: &'static str) -> (String, String, &'static str) {
-        if one.is_whole_number() {
-            return (trimmed(one.value, 0), String::new(), unit);
+        if one.is_chosen() {
+            let (factor, unit) = self.of_unit(unit);
+            return (trimmed(factor * one.value, 4), String::new(), unit);
         }
         self.with_interval(one.value, one.ci95, unit)
     }
@@ -205,6 +205,35 @@ mod tests {
         });
         assert_eq!(shown(0.0501, 0.0012, "s"), "0,0501 ± 0,0012 s");
         write_numbers(Notation::default());
+    }
+
+    #[test]
+    fn what_was_chosen_of_a_list_is_no_value_that_is_not_determined() {
+        let shown = |effect, name, value, unit, length| {
+            let units = Units {
+                length,
+                ..Units::default()
+            };
+            let one = Estimate {
+                effect,
+                joint: Some(0),
+                setup: None,
+                target: None,
+                place: None,
+                name,
+                value,
+                ci95: None,
+            };
+            let (value, half, unit) = units.estimate(&one, unit);
+            format!("{value} {half}{unit}")
+        };
+        let millimetres = LengthUnit::Millimetre;
+        let pitch = |value, length| shown("screw-pitch", "lead_mm", value, "mm", length);
+        assert_eq!(pitch(40.0, millimetres), "40 mm");
+        assert_eq!(pitch(25.4, LengthUnit::Inch), "1 in");
+        let order = |value| shown("gear-transmission-error", "order", value, "", millimetres);
+        assert_eq!(order(100.0), "100 ");
+        assert_eq!(order(100.6), "100.600 not determined");
     }
 
     #[test]
