@@ -5,58 +5,35 @@
 //! AᵀA = L Lᵀ,   Q = A L⁻ᵀ,   QᵀQ = M Mᵀ,   Q ← Q M⁻ᵀ,   R = (L M)ᵀ
 //! ```
 
-use std::sync::Arc;
-
 use nalgebra::{DMatrix, DVector};
 
-use super::products::{gram, reject_all};
+use super::products::gram;
 use super::triangle::{inverse_of_lower, small_cholesky};
 
 /// A column of which less than this share is left after projection is a copy of the others.
 pub const DEPENDENT: f64 = 1e-6;
 
-/// `C = Q₀ B + Q R` of columns beside orthonormal ones `Q₀`.
-struct Orthonormal {
-    q: DMatrix<f64>,
-    r: DMatrix<f64>,
-    along: DMatrix<f64>,
-    /// Of which enough is left beside `Q₀` and those before them: where it is not all of them, the others are noise.
-    independent: Vec<usize>,
-}
-
-impl Orthonormal {
-    fn beside(known: &DMatrix<f64>, columns: &DMatrix<f64>) -> Self {
-        let p = columns.ncols();
-        let least: Vec<f64> = columns
-            .column_iter()
-            .map(|c| DEPENDENT * c.norm())
-            .collect();
-        let mut q = columns.clone();
-        let mut along = reject_all(known, &mut q);
-        let mut r = DMatrix::identity(p, p);
-        let mut is_copy = vec![false; p];
-        for _ in 0..2 {
-            let mut factor = gram(&q).as_slice().to_vec();
-            small_cholesky(&mut factor, p, &vec![0.0; p]);
-            let mut factor = DMatrix::from_row_slice(p, p, &factor).lower_triangle();
-            for k in 0..p {
-                if factor[(k, k)] == 0.0 {
-                    (factor[(k, k)], is_copy[k]) = (1.0, true);
-                }
+/// `C = Q R`, and of which columns enough is left beside those before them.
+fn orthonormal(columns: &DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>, Vec<bool>) {
+    let p = columns.ncols();
+    let mut q = columns.clone();
+    let mut r = DMatrix::identity(p, p);
+    let mut is_copy = vec![false; p];
+    for _ in 0..2 {
+        let mut factor = gram(&q).as_slice().to_vec();
+        small_cholesky(&mut factor, p, &vec![0.0; p]);
+        let mut factor = DMatrix::from_row_slice(p, p, &factor).lower_triangle();
+        for k in 0..p {
+            if factor[(k, k)] == 0.0 {
+                (factor[(k, k)], is_copy[k]) = (1.0, true);
             }
-            q *= inverse_of_lower(&factor).transpose();
-            // What was lost where little was left.
-            r = factor.transpose() * r;
-            along += reject_all(known, &mut q) * &r;
         }
-        let is_left = |k: &usize| !is_copy[*k] && r[(*k, *k)] > least[*k];
-        Self {
-            independent: (0..p).filter(is_left).collect(),
-            q,
-            r,
-            along,
-        }
+        q *= inverse_of_lower(&factor).transpose();
+        r = factor.transpose() * r;
     }
+    let is_left = |k: usize| !is_copy[k] && r[(k, k)] > DEPENDENT * columns.column(k).norm();
+    let is_left = (0..p).map(is_left).collect();
+    (q, r, is_left)
 }
 
 /// `A = Q R` on the columns that are independent.
@@ -69,61 +46,28 @@ pub struct Basis {
     /// Which columns of `A` were kept, in order.
     pub kept: Vec<usize>,
     columns: usize,
-    /// The basis that its first columns are.
-    pub extends: Option<Arc<Self>>,
 }
 
 impl Basis {
     /// Takes a matrix apart.
     pub fn new(a: &DMatrix<f64>) -> Self {
-        let none = Self {
-            q: DMatrix::zeros(a.nrows(), 0),
-            r: DMatrix::zeros(0, 0),
-            kept: Vec::new(),
-            columns: a.ncols(),
-            extends: None,
-        };
-        let all: Vec<usize> = (0..a.ncols()).collect();
-        none.and(&all, a)
-    }
-
-    /// Takes a matrix apart of which some columns, those of another basis in their order, are known.
-    pub fn extending(known: &Arc<Self>, own: &[usize], a: &DMatrix<f64>) -> Self {
-        let others: Vec<usize> = (0..a.ncols()).filter(|k| !own.contains(k)).collect();
-        let first = Self {
-            q: known.q.clone(),
-            r: known.r.clone(),
-            kept: known.kept.iter().map(|k| own[*k]).collect(),
-            columns: a.ncols(),
-            extends: Some(Arc::clone(known)),
-        };
-        first.and(&others, a)
-    }
-
-    /// With these columns of a matrix behind its own, as far as they are independent.
-    fn and(self, places: &[usize], a: &DMatrix<f64>) -> Self {
-        let room = a.nrows().saturating_sub(self.rank());
-        let mut kept = places.to_vec();
+        let mut kept: Vec<usize> = (0..a.ncols()).collect();
         loop {
-            let own = Orthonormal::beside(&self.q, &a.select_columns(&kept));
-            let independent = own.independent.iter().take(room).copied();
-            let independent: Vec<usize> = independent.map(|k| kept[k]).collect();
-            if independent.len() == kept.len() {
-                return self.and_orthonormal(kept, &own);
+            let (q, r, is_left) = orthonormal(&a.select_columns(&kept));
+            // Where little is left of a column the others are noise.
+            let left = kept.iter().zip(is_left).filter(|own| own.1);
+            let left: Vec<usize> = left.map(|own| *own.0).take(a.nrows()).collect();
+            if left.len() == kept.len() {
+                let columns = a.ncols();
+                return Self {
+                    q,
+                    r,
+                    kept,
+                    columns,
+                };
             }
-            kept = independent;
+            kept = left;
         }
-    }
-
-    fn and_orthonormal(mut self, kept: Vec<usize>, own: &Orthonormal) -> Self {
-        let (rank, more) = (self.rank(), kept.len());
-        let both = self.q.as_slice().iter().chain(own.q.as_slice()).copied();
-        let q = DMatrix::from_iterator(own.q.nrows(), rank + more, both);
-        let mut r = self.r.resize(rank + more, rank + more, 0.0);
-        r.view_mut((0, rank), (rank, more)).copy_from(&own.along);
-        r.view_mut((rank, rank), (more, more)).copy_from(&own.r);
-        self.kept.extend(kept);
-        Self { q, r, ..self }
     }
 
     /// Number of independent columns.
@@ -241,23 +185,6 @@ mod tests {
         DMatrix::from_fn(rows, columns, |i, j| {
             ((i * i * 7 + i * j * 13) as f64 * 0.37).sin()
         })
-    }
-
-    #[test]
-    fn a_basis_that_extends_another_is_as_good() {
-        let a = wild(50, 6);
-        let own = [1, 2, 5];
-        let known = Arc::new(Basis::new(&a.select_columns(&own)));
-        let (whole, extended) = (Basis::new(&a), Basis::extending(&known, &own, &a));
-        let y = DVector::from_fn(50, |i, _| (i as f64).cos());
-        assert!((whole.solve(&y) - extended.solve(&y)).norm() < 1e-9);
-        assert!((whole.reject(&y) - extended.reject(&y)).norm() < 1e-9);
-        assert!((whole.inverse_gram() - extended.inverse_gram()).norm() < 1e-9);
-        assert_eq!(extended.q.columns(0, 3), known.q.columns(0, 3));
-        // A copy of what is known is dropped.
-        let mut twice = a.clone();
-        twice.set_column(0, &a.column(5));
-        assert_eq!(Basis::extending(&known, &own, &twice).kept, [1, 2, 5, 3, 4]);
     }
 
     /// Also where of a column little is left beside those before it, and where rows are few.

@@ -15,9 +15,9 @@ use crate::text::Text;
 use super::fits::{fit, start_of};
 
 /// Points within this are the same, mm.
-const SAME_MM: f64 = 0.5;
+pub(super) const SAME_MM: f64 = 0.5;
 /// A robot that goes farther has moved, and a point that is nearer to a reflector is its, mm.
-const MOVED_MM: f64 = 3.0;
+pub(super) const MOVED_MM: f64 = 3.0;
 /// So many points at one place are no accident.
 const FEWEST_STUCK: usize = 3;
 /// Of fewer samples none is far off for sure, of more a fit takes long.

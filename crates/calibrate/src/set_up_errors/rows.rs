@@ -1,5 +1,8 @@
 //! Which rows a change holds for.
 
+use super::losses;
+use super::nearest::Nominal;
+use crate::effects::JointValues;
 use crate::fit::problem::unusable;
 use crate::fit::spread::spread;
 use crate::row_checks::in_order;
@@ -53,6 +56,23 @@ impl RowsInOrder {
             before = Some(row);
             is_new
         });
+        self
+    }
+
+    /// Without those whose point stayed where it was while the commands moved on: the robot stood at a stop, or the
+    /// instrument was locked on a point ([`losses`]). They look like a home that moves with every row.
+    pub(super) fn of_moving_points(mut self, session: &Session, values: JointValues) -> Self {
+        let few = self.select(session);
+        let nominal = Nominal::of(&few, values);
+        let pairs = nominal.pairs(&nominal.inputs);
+        let stays = |a: usize, b: usize| {
+            let [told, seen] = [pairs[a].0 - pairs[b].0, pairs[a].1 - pairs[b].1];
+            seen.norm() < losses::SAME_MM && told.norm() > losses::MOVED_MM
+        };
+        let beside =
+            |k: usize| (k > 0 && stays(k - 1, k)) || (k + 1 < pairs.len() && stays(k, k + 1));
+        let mut k = 0..;
+        self.counted.retain(|_| !k.next().is_some_and(beside));
         self
     }
 

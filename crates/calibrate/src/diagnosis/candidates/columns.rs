@@ -33,8 +33,6 @@ struct Group {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CandidateSubset {
     Names,
-    /// Those without a name.
-    Shapes,
     All,
 }
 
@@ -278,16 +276,16 @@ impl Columns {
         let of_samples = self.of_samples(filter, z);
         let mut all = DMatrix::zeros(z.ncols(), self.count());
         for (group, g) in self.groups.iter().zip(&of_samples) {
-            let (from, count) = group.part(among);
-            let mut own = all.columns_mut(group.first + from, count);
+            let count = group.count(among);
+            let mut own = all.columns_mut(group.first, count);
             if z.ncols() > TOGETHER {
                 let stretches = threads.stretches(count, LANES);
                 let of = |k: usize| {
                     let stretch = &stretches[k];
-                    g * group.values.columns(from + stretch.start, stretch.len())
+                    g * group.values.columns(stretch.start, stretch.len())
                 };
                 if let [_] = stretches[..] {
-                    own.gemm(1.0, g, &group.values.columns(from, count), 0.0);
+                    own.gemm(1.0, g, &group.values.columns(0, count), 0.0);
                     continue;
                 }
                 let all = threads.each(stretches.len(), of);
@@ -297,20 +295,10 @@ impl Columns {
                 }
                 continue;
             }
-            let columns = group.values.columns(from, count);
+            let columns = group.values.columns(0, count);
             own.copy_from(&columns.tr_mul(&g.transpose()).transpose());
         }
         all
-    }
-
-    /// Copies the products of some columns into rows that are as many or more.
-    pub(crate) fn copy(&self, from: &DMatrix<f64>, to: &mut DMatrix<f64>, among: CandidateSubset) {
-        for group in &self.groups {
-            let (first, count) = group.part(among);
-            let at = (0, group.first + first);
-            let shape = (from.nrows(), count);
-            to.view_mut(at, shape).copy_from(&from.view(at, shape));
-        }
     }
 
     /// What products with each group need of vectors: a row for each vector.
@@ -351,13 +339,11 @@ impl Columns {
 }
 
 impl Group {
-    /// The first of some columns in the group, and how many.
-    fn part(&self, among: CandidateSubset) -> (usize, usize) {
-        let all = self.values.ncols();
+    /// So many of its columns, which are the first.
+    fn count(&self, among: CandidateSubset) -> usize {
         match among {
-            CandidateSubset::Names => (0, self.named),
-            CandidateSubset::Shapes => (self.named, all - self.named),
-            CandidateSubset::All => (0, all),
+            CandidateSubset::Names => self.named,
+            CandidateSubset::All => self.values.ncols(),
         }
     }
 
@@ -442,12 +428,14 @@ mod tests {
         let one = z.columns(3, 1).into_owned();
         let one = columns.products(&filter, &one, CandidateSubset::All, Threads::ONE);
         let names = columns.products(&filter, &z, CandidateSubset::Names, Threads::ONE);
-        let shapes = columns.products(&filter, &z, CandidateSubset::Shapes, Threads::ONE);
-        assert!((&names + &shapes - &all).norm() < 1e-12);
-        let named = names.column_iter().map(|c| c.norm() > 0.0);
-        let both = named.zip(shapes.column_iter().map(|c| c.norm() > 0.0));
-        assert!(both.into_iter().all(|(name, shape)| name != shape));
-        assert_eq!(names.column_iter().filter(|c| c.norm() > 0.0).count(), 3);
+        let named = names.column_iter().zip(all.column_iter());
+        let named: Vec<_> = named.filter(|(own, _)| own.norm() > 0.0).collect();
+        assert_eq!(named.len(), 3);
+        assert!(
+            named
+                .iter()
+                .all(|(own, of_all)| (own - of_all).norm() < 1e-12)
+        );
         let by_sample: Vec<DMatrix<f32>> = columns
             .of_samples(&filter, &z)
             .iter()

@@ -29,9 +29,12 @@ impl Regression<'_> {
         let candidates = &self.table.candidates;
         let make = || Grams::new(columns, filter, candidates);
         let grams = self.grams.get_or_init(make);
-        let base = self.base_basis();
-        let along = base.along((columns, filter), &fit.basis, among, self.threads);
-        let more = fit.basis.rank().saturating_sub(base.basis().rank()) + 8;
+        let along = columns.products(filter, &fit.basis.q, among, self.threads);
+        let more = fit
+            .basis
+            .rank()
+            .saturating_sub(self.base.coefficient_count())
+            + 8;
         let products = columns.count() * self.rows.samples.len() * more;
         self.work.did(products as f64);
         let residual = DMatrix::from_column_slice(fit.residual.len(), 1, fit.residual.as_slice());

@@ -19,10 +19,6 @@ use crate::model::Model;
 /// Products for each number of a fit's columns beside those of making them orthonormal.
 pub(super) const OF_A_FIT: f64 = 150.0;
 
-/// Steps of a fit that may take the base's own columns; one that has not converged by then takes those of
-/// where it is.
-const WITH_THE_BASES_OWN: usize = 4;
-
 /// A step whose square is at most this share of what is left leaves the columns what they are.
 const SMALL: f64 = 1e-5;
 
@@ -50,7 +46,7 @@ impl Regression<'_> {
                 let raw = self.rows.residual(&model);
                 (self.whitened_residual(&model, &raw), here)
             } else {
-                self.place(&model, &shapes, round < WITH_THE_BASES_OWN)
+                self.place(&model, &shapes)
             };
             // The shapes are linear: they are solved for afresh, the model by steps.
             let step = here.solve(&residual);
@@ -88,14 +84,8 @@ impl Regression<'_> {
         }
     }
 
-    /// What is left of the rows, with a basis of all columns. Where the base's own are good enough they are not made
-    /// again.
-    fn place(
-        &self,
-        model: &Model,
-        shapes: &[Placed],
-        with_the_bases_own: bool,
-    ) -> (DVector<f64>, Arc<Basis>) {
+    /// What is left of the rows, with a basis of all columns.
+    fn place(&self, model: &Model, shapes: &[Placed]) -> (DVector<f64>, Arc<Basis>) {
         let (raw, columns) = self.raw(model);
         let (residual, mut all) = self.whitened(model, &raw, columns);
         if !shapes.is_empty() {
@@ -108,10 +98,6 @@ impl Regression<'_> {
             }
             all = DMatrix::from_vec(all.nrows(), width, numbers);
         }
-        let base = self.base_basis();
-        let near = with_the_bases_own.then(|| base.extended(&self.base, model, &all));
-        let basis = near.flatten();
-        let basis = basis.unwrap_or_else(|| Basis::new(&all));
-        (residual, Arc::new(basis))
+        (residual, Arc::new(Basis::new(&all)))
     }
 }

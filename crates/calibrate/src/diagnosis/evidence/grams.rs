@@ -29,7 +29,6 @@ impl CandidateSubset {
         match self {
             Self::All => true,
             Self::Names => candidate.named(),
-            Self::Shapes => !candidate.named(),
         }
     }
 }

@@ -7,17 +7,14 @@
 
 use nalgebra::DVector;
 
-use crate::effects::Term;
 use crate::fit::regression::Rows;
 use crate::model::Model;
 use crate::text::Text;
-use crate::thresholds::EQUAL;
 use crate::{budget, fewest};
 
 use super::fit::Fit;
 use super::regression::Regression;
-use super::rescanned::{Rescanned, has_near_rivals, is_scanned};
-use super::surroundings::Without;
+use super::rescanned::Rescanned;
 use crate::sessions::cells::{cells, folds_of_groups};
 use crate::sessions::poses::ByPose;
 
@@ -199,54 +196,7 @@ impl Folds {
         })
     }
 
-    /// Of terms that are taken out of a fit, which surely predict samples that no fit has seen: to first order, at
-    /// the settings that they have, and so clearly that the rest does not matter.
-    pub(crate) fn surely_predict(
-        &self,
-        regression: &Regression,
-        fit: &Fit,
-        terms: &[&Term],
-        rests: &[Option<Without>],
-    ) -> Vec<bool> {
-        let none = vec![false; rests.len()];
-        let (n, rows) = (self.fold.len(), regression.rows.len());
-        if n < fewest::TO_SCAN {
-            return none;
-        }
-        let first = |term: &Term| -> usize {
-            let before = fit
-                .model
-                .terms()
-                .iter()
-                .take_while(|t| !t.same_column(term));
-            before.map(|t| t.coefficients.len()).sum()
-        };
-        let places = terms.iter().map(|t| (first(t), &*t.coefficients));
-        let places: Vec<(usize, &[f64])> = places.collect();
-        let as_it_is = Rescanned::as_it_is(regression, fit);
-        let mut with_all = 0.0;
-        let mut without = vec![0.0; rests.len()];
-        for fold in 0..self.count {
-            let unseen: Vec<usize> = (0..rows).filter(|row| self.fold[row % n] == fold).collect();
-            let (all, each) = as_it_is.fitted().squares_without(&unseen, &places);
-            with_all += all;
-            for (sum, own) in without.iter_mut().zip(each) {
-                *sum += own;
-            }
-        }
-        let settled = |term: &Term, rest: &Without| {
-            !is_scanned(term) || !has_near_rivals(regression, fit, term, rest)
-        };
-        let each = without.into_iter().zip(terms.iter().zip(rests));
-        each.map(|(sum, (term, rest))| {
-            let rest = rest.as_ref();
-            // Clearly more than with it, as squares.
-            sum > EQUAL * EQUAL * with_all && rest.is_some_and(|rest| settled(term, rest))
-        })
-        .collect()
-    }
-
-    /// The same of the fit's model alone, whose shapes are fitted beside it and predict nothing.
+    /// As [`Self::rms_mm`], of the fit's model alone, whose shapes are fitted beside it and predict nothing.
     pub(crate) fn rms_mm_of_the_model(&self, regression: &Regression, fit: &Fit) -> f64 {
         let columns = fit.model.coefficient_count();
         self.predicted_by(regression, fit, columns).rms_mm

@@ -307,30 +307,6 @@ impl Fitted {
             }
         }
     }
-
-    /// The squares of what fits without these rows leave of them, at the settings of the fit: of the fit itself, and of
-    /// the fit without each of some terms (where their columns are, and how much of each the fit has).
-    pub(super) fn squares_without(
-        &self,
-        rows: &[usize],
-        terms: &[(usize, &[f64])],
-    ) -> (f64, Vec<f64>) {
-        let (columns, residual, settings) = self.in_rows(rows);
-        let stay = self.all.less(&Sums::of(&columns, &residual, &settings));
-        let left = |out: &[usize], coefficients: &DVector<f64>| {
-            let factor = Factor::of(&stay.gram, self.without(out), &self.least);
-            let along = &stay.along + stay.gram.select_columns(out) * coefficients;
-            let left = &residual + columns.select_columns(out) * coefficients;
-            (left - &columns * factor.solve(&along)).norm_squared()
-        };
-        let without = terms.iter().map(|(first, coefficients)| {
-            let out = self.places(*first, coefficients.len());
-            let own = out.iter().map(|k| coefficients[self.kept[*k] - first]);
-            left(&out, &DVector::from_iterator(out.len(), own))
-        });
-        let without = without.collect();
-        (left(&[], &DVector::zeros(0)), without)
-    }
 }
 
 #[cfg(test)]
@@ -418,24 +394,6 @@ mod tests {
             others >= 5,
             "the second term's setting is another in every fold"
         );
-    }
-
-    #[test]
-    fn what_is_left_without_a_term_is_what_a_fit_without_it_leaves() {
-        let (a, y, _) = fit();
-        let basis = Basis::new(&a);
-        let fitted = Fitted::new(&basis, &a, basis.reject(&y), Vec::new());
-        let all = basis.solve(&y);
-        let out: Vec<usize> = (0..60).filter(|row| row / 4 % 5 == 2).collect();
-        let stay: Vec<usize> = (0..60).filter(|row| row / 4 % 5 != 2).collect();
-        let unseen = |a: &DMatrix<f64>| {
-            let x = Basis::new(&a.select_rows(&stay)).solve(&y.select_rows(&stay));
-            (y.select_rows(&out) - a.select_rows(&out) * x).norm_squared()
-        };
-        let (whole, without) = fitted.squares_without(&out, &[(1, &all.as_slice()[1..3])]);
-        assert!((whole - unseen(&a)).abs() < 1e-9);
-        let fewer = a.select_columns(&[0, 3, 4, 5, 6]);
-        assert!((without[0] - unseen(&fewer)).abs() < 1e-9);
     }
 
     #[test]

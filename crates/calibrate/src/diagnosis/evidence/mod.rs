@@ -7,9 +7,8 @@
 //!   `familywise`: what noise does.
 //! - `held_out`, `left_out`, `rescanned`, `shares`: errors on samples that a fit, or a choice, has not seen.
 //! - `rival`: another explanation of the same samples.
-//! - `memo`, `base_basis`: what was computed before; `work`: how much may be computed.
+//! - `memo`: what was computed before; `work`: how much may be computed.
 
-mod base_basis;
 mod beside_fits;
 mod bisection;
 mod familywise;

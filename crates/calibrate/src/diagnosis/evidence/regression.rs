@@ -13,7 +13,6 @@ use crate::fit::priors::Priors;
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
-use super::base_basis::BaseBasis;
 use super::fit::Fit;
 use super::grams::Grams;
 use super::largest_in_noise::LargestInNoise;
@@ -35,7 +34,6 @@ pub(crate) struct Regression<'a> {
     pub(crate) table: Rc<CandidateTable>,
     pub(crate) filter: Filter,
     pub(super) grams: OnceCell<Grams>,
-    base_basis: OnceCell<BaseBasis>,
     pub(crate) tests: Rc<Tests>,
     pub(crate) base: Model,
     priors: Vec<PriorRow>,
@@ -108,7 +106,6 @@ impl<'a> Regression<'a> {
             table,
             filter,
             grams: OnceCell::new(),
-            base_basis: OnceCell::new(),
             tests: Rc::default(),
             base,
             priors,
@@ -219,14 +216,6 @@ impl<'a> Regression<'a> {
         self.surroundings.clear();
         self.rivals.clear();
         self.largest_in_noise.clear();
-    }
-
-    pub(crate) fn base_basis(&self) -> &BaseBasis {
-        self.base_basis.get_or_init(|| {
-            let (raw, columns) = self.raw(&self.base);
-            let white = self.whitened(&self.base, &raw, columns).1;
-            BaseBasis::new(white)
-        })
     }
 
     /// The fit with a candidate more.

@@ -16,26 +16,14 @@ use super::surroundings::Without;
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::compatible;
 
-/// Another setting rivals the term's own from this share of what that does on.
-const RIVALS: f64 = 0.6;
 /// Settings that are scanned afresh, at most …
 pub(crate) const MOST_SETTINGS: usize = 16;
 /// … of those that would lower the square by this share of what the term does, over all samples: a fifth of them
 /// does not make up for the rest.
 const NEAR: f64 = 0.3;
 
-/// Whether other settings of a term would do nearly as much as its own.
-pub(super) fn has_near_rivals(
-    regression: &Regression,
-    fit: &Fit,
-    term: &Term,
-    rest: &Without,
-) -> bool {
-    !near_its_own(regression, fit, term, rest, RIVALS).is_empty()
-}
-
 /// Whether a term's setting is scanned afresh in every fold.
-pub(super) fn is_scanned(term: &Term) -> bool {
+fn is_scanned(term: &Term) -> bool {
     // A fade is a coefficient like others: every fold's fit moves it.
     !matches!(
         term.effect.about().setting,
@@ -43,14 +31,8 @@ pub(super) fn is_scanned(term: &Term) -> bool {
     )
 }
 
-/// Settings of a term, other than its own, that would lower the square by more than a share of what the term does.
-fn near_its_own(
-    regression: &Regression,
-    fit: &Fit,
-    term: &Term,
-    rest: &Without,
-    share: f64,
-) -> Vec<usize> {
+/// Settings of a term, other than its own, that would lower the square by much of what the term does.
+fn near_its_own(regression: &Regression, fit: &Fit, term: &Term, rest: &Without) -> Vec<usize> {
     let own = rest.rss - fit.rss;
     let around = regression.surroundings(fit, CandidateSubset::Names);
     let gain = |index: usize| around.gain(rest, &regression.table.candidates[index]);
@@ -61,7 +43,7 @@ fn near_its_own(
     let others = settings(regression, term).into_iter();
     let others = others.filter(|c| setting(c) != Some(term.setting));
     let gains = others.map(|index| (gain(index), index));
-    let mut gains: Vec<(f64, usize)> = gains.filter(|g| g.0 > share * own).collect();
+    let mut gains: Vec<(f64, usize)> = gains.filter(|g| g.0 > NEAR * own).collect();
     gains.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     gains.truncate(MOST_SETTINGS);
     let mut kept: Vec<usize> = gains.iter().map(|g| g.1).collect();
@@ -125,10 +107,6 @@ impl<'f, 'a> Rescanned<'f, 'a> {
             residual,
             columns,
         }
-    }
-
-    pub(crate) fn fitted(&self) -> &Fitted {
-        &self.fitted
     }
 
     /// What a fit without each of these sets of rows leaves of them, where its first so many columns predict.
@@ -232,7 +210,7 @@ fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
         }
         let rest = many.then(|| regression.without(fit, term)).flatten();
         let candidates = match rest {
-            Some(rest) => near_its_own(regression, fit, term, &rest, NEAR),
+            Some(rest) => near_its_own(regression, fit, term, &rest),
             None => settings(regression, term),
         };
         if candidates.is_empty() {

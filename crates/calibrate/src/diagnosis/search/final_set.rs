@@ -33,22 +33,15 @@ pub(crate) fn tested(
             return Err(Cancelled);
         }
         let unseen = prepared.folds.rms(regression, &fit);
-        let terms = regression.added(&fit);
-        let rests: Vec<_> = terms.iter().map(|t| regression.without(&fit, t)).collect();
-        let useful = prepared
-            .folds
-            .surely_predict(regression, &fit, &terms, &rests);
-        let worths = terms.iter().zip(useful);
-        let worths = worths.map(|(term, useful)| (worth(prepared, &fit, term), *term, useful));
-        let mut worths: Vec<_> = worths.collect();
+        let terms = regression.added(&fit).into_iter();
+        let mut worths: Vec<_> = terms.map(|t| (worth(prepared, &fit, t), t)).collect();
         // The first that does not carry itself is the worst of them: nothing is asked of the others.
         worths.sort_by(|a, b| a.0.ln_odds.total_cmp(&b.0.ln_odds));
-        let worst = worths.into_iter().find_map(|(worth, term, useful)| {
-            let useful = useful && worth.ln_odds > odds::BEYOND_DOUBT.nats();
+        let worst = worths.into_iter().find_map(|(worth, term)| {
             let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
             let improbable =
                 || regression.chance_in_noise(worth.minus_ln_p, &fit) > odds::TAKEN.chance();
-            let useless = || !useful && prepared.folds.rms(regression, &worth.rest) <= unseen;
+            let useless = || prepared.folds.rms(regression, &worth.rest) <= unseen;
             (unlikely || improbable() || useless()).then_some(worth.rest)
         });
         let Some(rest) = worst else {

@@ -50,8 +50,12 @@ const ROUNDS: usize = 3;
 
 /// Everything that moved: homes to which the rows before are turned, and frames of their own.
 pub(in crate::set_up_errors) fn steps(session: &Session, values: JointValues) -> Vec<DataProblem> {
+    if !session.has_plain_points() {
+        return Vec::new();
+    }
     let rows = RowsInOrder::of(session, MOST_ROWS).of_new_places(session);
-    if rows.len() < FEWEST_ROWS || !session.has_plain_points() {
+    let rows = rows.of_moving_points(session, values);
+    if rows.len() < FEWEST_ROWS {
         return Vec::new();
     }
     sized(&rows.select(session), values).map_or_else(Vec::new, |(steps, left_mm)| {
