@@ -12,7 +12,6 @@ use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Rangef, Ui, 
 use super::view::{NextAction, Sheet};
 use super::view::{Preferences, largest_zoom};
 use super::{actions, dialogs, files, layers, widgets, workspace};
-use crate::gui::core::compensated::CompensationRequest;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::{self, LEFT, MIDDLE, Palette, RIGHT, WIDEST, space};
 use crate::gui::views::{chart, menu, results, status, steps};
@@ -161,8 +160,8 @@ impl App {
 
     /// Corrects the targets of a file, as if it had been chosen.
     pub fn compensate(&mut self, path: &Path) {
-        let wanted = CompensationRequest::new(path.to_path_buf());
-        self.workbench.execute(|bench| bench.compensate(wanted));
+        let path = path.to_path_buf();
+        self.workbench.execute(|bench| bench.compensate_file(path));
     }
 
     /// Opens the sheet in which the path of an export is typed, with this path in it: what the

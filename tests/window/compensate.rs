@@ -2,8 +2,11 @@
 //! by side, saved with what was changed beside them.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use crate::window::{Window, press, says, there, type_into, window_of};
+use crate::window::{
+    Window, open, press, says, there, type_into, until, window_choosing, window_of,
+};
 use egui_kittest::kittest::Queryable;
 use truepose::gui::Runner;
 
@@ -114,4 +117,48 @@ fn a_file_without_targets_is_refused_with_its_place() {
     window.get_by_label("Choose another file…");
     press(&mut window, "Cancel");
     assert!(!says(&window, "Compensate targets.csv"));
+}
+
+/// Tools and bases that a program uses stand in a file of its controller; it is read with it from then on.
+#[test]
+fn a_file_of_the_controller_is_read_with_the_program() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (program, list) = (
+        folder.path().join("m.src"),
+        folder.path().join("$config.dat"),
+    );
+    let target = "X 62.222,Y 61.710,Z 536.163,A -141.3534,B -26.4136,C -46.7269,S 0,T 18";
+    let lines = format!("DEF m()\nBAS(#TOOL,2)\nBAS(#BASE,1)\nLIN {{{target}}}\nEND\n");
+    std::fs::write(&program, lines).expect("written");
+    let frames = "BASE_DATA[1]={x 100.0,y 0.0,z 50.0,a 0.0,b 0.0,c 0.0}\n\
+                  TOOL_DATA[2]={x 0.0,y 0.0,z 0.0,a 0.0,b 0.0,c 0.0}\n";
+    std::fs::write(&list, format!("DEFDAT $CONFIG\n{frames}ENDDAT\n")).expect("written");
+    let chosen = list.clone();
+    let mut window = window_choosing(Arc::new(move || Some(chosen.clone())));
+    open(&mut window, &data("arm.json"));
+    until(&mut window, "2 Identify");
+    press(&mut window, "2 Identify");
+    press(&mut window, "Identify");
+    until(&mut window, " → ");
+    compensate(&mut window, &program);
+    until(&mut window, "Compensate m.src");
+    press(&mut window, "Choose a file of the controller");
+    until(&mut window, "$config.dat");
+    for of in ["Tool", "Frame"] {
+        let says = format!("{of} of the program: as the program writes it");
+        if there(&window, &says) {
+            press(&mut window, &says);
+        }
+    }
+    until(&mut window, "Lines that change");
+    // The same program once more has it still; it can be taken away again.
+    press(&mut window, "Cancel");
+    compensate(&mut window, &program);
+    until(&mut window, "Lines that change");
+    press(&mut window, "Without $config.dat");
+    for _ in 0..500 {
+        std::thread::sleep(std::time::Duration::from_millis(2));
+        window.step();
+    }
+    assert!(!there(&window, "Without $config.dat"));
 }

@@ -21,6 +21,8 @@ pub(crate) const MOST_KG: f64 = 10_000.0;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CompensationRequest {
     pub(crate) path: PathBuf,
+    /// Files of the controller that declare what it uses: tools, frames, loads, points.
+    pub(crate) with: Vec<PathBuf>,
     /// Load at the tool's origin where the file says none, kg.
     pub(crate) load_kg: f64,
     /// Whether the frame in which the session was measured is the robot's base.
@@ -38,6 +40,7 @@ impl CompensationRequest {
     pub(crate) fn new(path: PathBuf) -> Self {
         Self {
             path,
+            with: Vec::new(),
             load_kg: 0.0,
             measured_frame: false,
             tool: Precedence::Unsettled,
@@ -130,7 +133,11 @@ fn corrected(
         problems: says.lines().map(str::to_owned).collect(),
         differs: Vec::new(),
     };
-    let bytes = read_document(path).map_err(|error| lines(&spoken(error.describe())))?;
+    let read = |path: &Path| {
+        let bytes = read_document(path);
+        bytes.map_err(|error| lines(&spoken(error.describe())))
+    };
+    let bytes = read(path)?;
     let language = language_of(path, &bytes).ok_or_else(|| {
         let all: Vec<&str> = LANGUAGES.iter().map(|l| l.title).collect();
         lines(&say!(
@@ -139,17 +146,22 @@ fn corrected(
             all = all.join(", ")
         ))
     })?;
-    let beside = beside(path, language).and_then(|path| Some((read_document(&path).ok()?, path)));
+    let lies_there = beside(path, language).filter(|other| !wanted.with.contains(other));
+    let lies_there = lies_there.and_then(|path| Some((read_document(&path).ok()?, path, false)));
+    let mut beside = Vec::from_iter(lies_there);
+    for named in &wanted.with {
+        beside.push((read(named)?, named.clone(), true));
+    }
     let answer = pipeline::compensate(&Request {
         calibration,
         bytes: &bytes,
         language,
         file: Some(path),
         beside: (beside.iter())
-            .map(|(bytes, path)| Beside {
+            .map(|(bytes, path, named)| Beside {
                 path,
                 bytes,
-                named: false,
+                named: *named,
             })
             .collect(),
         load_kg: wanted.load_kg,

@@ -1,16 +1,17 @@
 //! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
 //! targets are left as they are and why.
 
-use egui::{Align, DragValue, Layout, RadioButton, RichText, ScrollArea, Ui};
+use egui::{Align, Button, DragValue, Layout, RadioButton, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
 use crate::explain::{self, Detail, Section, Topic};
 use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
+use crate::gui::files;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::What;
 use crate::gui::views::blocks::{self, Title};
-use crate::gui::widgets::{self, Buttons, Forms, Words};
+use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::kinematics::Pose;
 use crate::programs::{DifferingNumber, ExternalAxes, Precedence};
@@ -90,6 +91,9 @@ fn asked(
     ui.number(say!("load where the file says none"), "kg", field);
     let says = say!("the measuring frame is the robot's base");
     ui.checkbox(&mut wanted.measured_frame, says);
+    if files::is_program(&wanted.path) {
+        declarations(ui, &mut wanted, workbench);
+    }
     let tool = say!("Tool of the program");
     if differs.contains(&DifferingNumber::Tool) || wanted.tool != Precedence::Unsettled {
         whose(ui, tool, &mut wanted.tool);
@@ -108,6 +112,31 @@ fn asked(
     if wanted != *before {
         workbench.then(move |bench| bench.compensate(wanted));
     }
+}
+
+/// Files of the controller that are read with a program.
+fn declarations(ui: &mut Ui, wanted: &mut CompensationRequest, workbench: &Workbench) {
+    ui.horizontal_wrapped(|ui| {
+        ui.label(say!("Files of the controller"));
+        let mut gone = None;
+        for (k, path) in wanted.with.iter().enumerate() {
+            let name = name_of(path);
+            let shown = ui.label(RichText::new(&*name).font(strong(size::SMALL)));
+            shown.on_hover_text(path.display().to_string());
+            let without = ui.named(say!("Without {name}", name), Button::new("×").small());
+            gone = gone.or(without.clicked().then_some(k));
+        }
+        let choose = Button::new(say!("Choose…"));
+        let choose = ui.named(say!("Choose a file of the controller"), choose);
+        let choose = choose.on_hover_text(say!(
+            "What the program uses and does not declare itself: tools, frames, loads, points (a KUKA’s $config.dat, a RAPID module, a FANUC’s SYSFRAME.VA). They are read and not corrected"
+        ));
+        let before = wanted.clone();
+        choose.does(workbench, |bench| bench.choose_declarations(before));
+        if let Some(k) = gone {
+            wanted.with.remove(k);
+        }
+    });
 }
 
 /// Whose tool or frame holds.

@@ -40,6 +40,11 @@ pub(crate) fn choose_targets(near: Option<&Path>) -> Option<PathBuf> {
     pick(near, say!("Targets or program to correct"), &kinds)
 }
 
+/// Asks the user for a file of the controller beside a program.
+pub(crate) fn choose_declarations(program: &Path) -> Option<PathBuf> {
+    pick(Some(program), say!("File of the controller"), &[])
+}
+
 /// Asks the user for a picture for the head of a report.
 pub(crate) fn choose_logo(near: Option<&Path>) -> Option<PathBuf> {
     let dialog = dialog_beside(near).set_title(say!("Logo of the report"));

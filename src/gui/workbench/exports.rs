@@ -313,12 +313,39 @@ impl Workbench {
         let by = self.shown_outcome();
         let says = say!("waiting for a file to be chosen");
         self.choose_near(says, files::choose_targets, move |bench, path| match path {
-            Some(path) => bench.compensate_by(by, CompensationRequest::new(path)),
+            Some(path) => bench.compensate_by(by, bench.request_for(path)),
             None => bench.view.message = Some(no_file_was_chosen()),
         });
     }
 
     /// Corrects the targets of a file by the model that is shown.
+    pub(crate) fn compensate_file(&mut self, path: PathBuf) {
+        self.compensate(self.request_for(path));
+    }
+
+    /// A file as it was corrected last, or for the first time.
+    fn request_for(&self, path: PathBuf) -> CompensationRequest {
+        let before = self.compensated().map(|one| &one.wanted);
+        let before = before.filter(|wanted| wanted.path == path);
+        before
+            .cloned()
+            .unwrap_or_else(|| CompensationRequest::new(path))
+    }
+
+    /// Asks for a file of the controller that declares what the program uses, and reads it with it.
+    pub(crate) fn choose_declarations(&mut self, mut wanted: CompensationRequest) {
+        let program = wanted.path.clone();
+        let ask = move || files::choose_declarations(&program);
+        let says = say!("waiting for a file to be chosen");
+        self.choose(says, ask, move |bench, path| {
+            if let Some(path) = path.filter(|path| !wanted.with.contains(path)) {
+                wanted.with.push(path);
+                bench.compensate(wanted);
+            }
+        });
+    }
+
+    /// Corrects targets as it is asked for.
     pub(crate) fn compensate(&mut self, wanted: CompensationRequest) {
         self.compensate_by(self.shown_outcome(), wanted);
     }
@@ -369,6 +396,7 @@ impl Workbench {
         ])?;
         let mut inputs = self.inputs();
         inputs.push(compensated.wanted.path.clone());
+        inputs.extend(compensated.wanted.with.iter().cloned());
         let make = move |path: &Path, _: &Watch| writing::targets(&compensated, path);
         Ok(later(inputs, make, Self::take_written))
     }

@@ -35,7 +35,7 @@ use crate::gui::cache::{
 use crate::gui::charts::effect::Sketches;
 use crate::gui::charts::{ChartPlaceholder, Scene, Shown};
 use crate::gui::core::answer::Question;
-use crate::gui::core::compensated::{Compensated, CompensationRequest};
+use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::{Changed, Document, ExportChoice, Method};
 use crate::gui::core::history::History;
@@ -256,7 +256,7 @@ impl Workbench {
     /// A robot program has nothing to be opened: its targets are corrected.
     pub(crate) fn open_file(&mut self, path: PathBuf) {
         if files::is_program(&path) {
-            self.compensate(CompensationRequest::new(path));
+            self.compensate_file(path);
         } else {
             self.ask_then(NextAction::Open(path));
         }
