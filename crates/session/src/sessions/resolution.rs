@@ -106,12 +106,22 @@ fn are_multiples(values: &[f64], step: f64, written: Option<f64>) -> bool {
     }
     // Of values that are written to a digit so many are multiples of the step by accident.
     let by_accident = match written {
-        Some(digit) if exact => (digit / step).min(1.0),
-        Some(_) => (2.0 * of_digit).min(1.0),
+        Some(digit) => share_of_multiples(digit, step, if exact { 0.0 } else { of_digit }),
         None => 1e-3,
     };
     let least = written.is_some_and(|digit| (step / digit - 1.0).abs() < 1e-6);
     least || -(values.len() as f64) * by_accident.ln() > EVIDENCE
+}
+
+/// How many of the multiples of a digit are within a window, in steps, of a multiple of a step: all tenths are within
+/// half a tenth of some multiple of an eighth.
+fn share_of_multiples(digit: f64, step: f64, window: f64) -> f64 {
+    let many = 1000;
+    let within = |k: &i32| {
+        let value = f64::from(*k) * digit;
+        misses(value, step) <= window + float(value, step)
+    };
+    (1..=many).filter(within).count().max(1) as f64 / f64::from(many)
 }
 
 #[cfg(test)]
@@ -149,6 +159,16 @@ mod tests {
             let found = resolution_mm(&rounded(&places(60), step, places_written));
             let found = found.unwrap_or(0.0);
             assert!((found / step - 1.0).abs() < 1e-9, "{step}: {found}");
+        }
+    }
+
+    #[test]
+    fn every_tenth_is_near_a_multiple_of_an_eighth_and_so_says_nothing_for_it() {
+        for places_written in 0..=4 {
+            let digit = 10.0_f64.powi(-places_written);
+            let found = resolution_mm(&rounded(&places(600), digit, places_written));
+            let found = found.unwrap_or(0.0);
+            assert!((found / digit - 1.0).abs() < 1e-9, "{digit}: {found}");
         }
     }
 
