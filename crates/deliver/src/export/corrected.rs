@@ -12,11 +12,12 @@
 //!
 //! and the chain that results has to lead where the model leads at many poses, from both sides, under
 //! loads, warm and cold. So an effect that is added to the catalogue is treated rightly without a
-//! word here.
+//! word here. Of several joints the geometry then takes over what it can of the others ([`nearest`]).
 
 use nalgebra::{Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
 use super::Job;
+use super::nearest_chain::nearest;
 use super::poses::poses;
 use crate::compensation::Side;
 use crate::compensation::plan::of_the_robot;
@@ -58,6 +59,15 @@ impl Corrected {
             } else {
                 left_out.push(term);
             }
+        }
+        let unnamed = job
+            .calibration
+            .model
+            .terms()
+            .iter()
+            .any(|term| term.rest().is_some());
+        if nominal.joints.len() > 1 && (unnamed || !left_out.is_empty()) {
+            carried = nearest(job, &carried);
         }
         let model = Model::new(nominal.clone(), carried.clone());
         match Self::chain(&model).filter(|(robot, _)| leads_the_same(job, &model, robot)) {

@@ -31,6 +31,7 @@ mod grid;
 mod job;
 mod knots;
 mod names;
+mod nearest_chain;
 mod options;
 #[doc(hidden)]
 pub mod poses;
