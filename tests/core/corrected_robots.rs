@@ -667,3 +667,20 @@ fn a_description_takes_over_what_a_chain_can_of_what_is_none() {
         assert!(left < 0.2, "{to}: {leaves}");
     }
 }
+
+/// Lengths of a wire fit a robot whose tool may be anywhere across it.
+#[test]
+fn a_model_that_is_less_sure_than_the_nominal_robot_is_not_described() {
+    let path = folder().join("../arms/six-60.json");
+    let session = truepose::sessions::load(path).unwrap().session;
+    let effects = DEFAULT_EFFECTS.map(str::to_owned).to_vec();
+    let found = identify_exact(&session, &effects, JointValues::Commanded).unwrap();
+    let inputs = Inputs::new(&session, JointValues::Commanded);
+    let mut calibration = found.calibration(&session, &inputs);
+    *calibration.covariance.as_mut().unwrap() *= 1e6;
+    let unsure = VerifiedCalibration::on(&calibration, &session).unwrap();
+    for to in ["urdf", "mjcf", "dh"] {
+        let refused = made(&unsure, to, Options::default()).unwrap_err();
+        assert!(refused.to_string().contains("too little"), "{refused}");
+    }
+}

@@ -18,10 +18,13 @@ use super::poses::poses;
 use super::{ExportError, Job};
 use crate::compensation::{Compensation, Side};
 use crate::effects::{Stage, Term};
+use crate::fit::expected::uncertainties_mm;
+use crate::fit::unseen::nothing_held;
 use crate::kinematics::quaternion::log;
 use crate::kinematics::{JointKind, Pose, Robot, RobotSource};
 use crate::lanes::dot;
 use crate::model::Model;
+use crate::text::length;
 
 /// A file that is read back leads to the same place up to this, mm.
 const SAME_MM: f64 = 1e-9;
@@ -73,6 +76,7 @@ impl Chain {
                 "a correction by regions is not a geometry; identify the full model for a description of the robot"
             )));
         }
+        surer_than_nominal(job)?;
         let corrected = Corrected::new(job);
         let offsets = zero_offsets(job, &corrected);
         let taken = take(&offsets)?;
@@ -131,6 +135,26 @@ impl Chain {
         Err(ExportError::ReadBack(format!(
             "it leads {off} mm elsewhere"
         )))
+    }
+}
+
+/// Refuses a model that over the measured range may be off by more than the nominal robot was where it was measured: no
+/// target is corrected by it either.
+fn surer_than_nominal(job: &Job) -> Result<(), ExportError> {
+    let calibration = job.calibration;
+    let inputs = poses(job, Side::Forward);
+    let covariance = calibration.covariance.as_ref();
+    let model = nothing_held(&calibration.model);
+    let unsure = covariance.and_then(|c| uncertainties_mm(&model, &inputs, c));
+    let square: f64 = unsure.iter().flatten().map(|mm| mm * mm).sum();
+    let unsure_mm = (square / inputs.len().max(1) as f64).sqrt();
+    match calibration.history.first() {
+        Some(nominal) if unsure_mm > nominal.gap_mm => Err(ExportError::Refused(text!(
+            "the measured poses show too little of the robot: over their ranges the model may be off by {unsure}, and the nominal robot was off by {nominal} where it was measured; measure more of it",
+            unsure = length(unsure_mm, 3),
+            nominal = length(nominal.gap_mm, 3)
+        ))),
+        _ => Ok(()),
     }
 }
 
