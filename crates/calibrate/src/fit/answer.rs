@@ -8,7 +8,6 @@ use crate::answers::identification::{
 };
 use crate::effects::{PlaceKind, Setting};
 use crate::model::Model;
-use crate::rounding;
 use crate::sessions::{Session, Sigma};
 
 use super::gap::{Deviations, Spread, deviations, lengths_mm, suspects};
@@ -168,9 +167,10 @@ pub(crate) fn parameters_of(
     for term in solution.model.terms() {
         let size = term.coefficients.len();
         let own = covariance.map(|c| c.view((first, first), (size, size)).into_owned());
+        let deviation = |k: usize| own.as_ref().map_or(0.0, |c| c[(k, k)].sqrt());
         let undetermined: Vec<bool> = (0..size)
             .map(|k| {
-                let open = solution.spectrum.undetermined_share(first + k) > rounding::WRITTEN;
+                let open = solution.spectrum.is_open(first + k, deviation(k));
                 open || term.held.contains(k)
             })
             .collect();

@@ -142,7 +142,9 @@ impl<'a> Fresh<'a> {
             .then(|| completed(&problem, &fitted, seen.as_ref()))
             .flatten();
         let is_completed = completed.is_some();
-        let (shown, own) = completed.map_or((fitted, by_pose), |c| (c.solution, c.covariance));
+        let (mut shown, own) = completed.map_or((fitted, by_pose), |c| (c.solution, c.covariance));
+        // A fit that was made again has a fade beside its setting, which no model's file holds.
+        shown.model = shown.model.settled();
         let mut answer = report(session, &problem, shown.clone(), &nominal, not_identifiable);
         answer.notes.extend(notes);
         if let Some(own) = own {

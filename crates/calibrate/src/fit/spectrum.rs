@@ -6,6 +6,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use crate::linear::inverse_of_lower;
 use crate::model::Model;
+use crate::rounding;
 
 /// A direction in the space of coefficients along which the samples say nothing.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,6 +23,8 @@ pub struct Spectrum {
     vectors: DMatrix<f64>,
     /// Which eigenvectors the samples determine.
     determined: Vec<bool>,
+    /// How far it makes sense to go along each.
+    furthest: Vec<f64>,
     /// Number of coefficients that are held where they are.
     held: usize,
 }
@@ -29,6 +32,8 @@ pub struct Spectrum {
 /// Eigenvalues of the scaled Gram matrix below this are rounding: its entries are sums of products
 /// with a relative error of some 1e-14, and its diagonal is 1.
 const RANK_TOLERANCE: f64 = 1e-11;
+/// What is so small a part of a standard deviation makes it a twentieth larger.
+const BESIDE: f64 = 0.3;
 
 impl Spectrum {
     /// Takes a Gram matrix apart.
@@ -42,6 +47,7 @@ impl Spectrum {
                 values: DVector::zeros(0),
                 vectors: DMatrix::zeros(0, 0),
                 determined: Vec::new(),
+                furthest: Vec::new(),
             };
         }
         let eigen = crate::decompose::eigen(scaled);
@@ -49,6 +55,7 @@ impl Spectrum {
         Self {
             scale,
             determined: values.iter().map(|v| *v > RANK_TOLERANCE).collect(),
+            furthest: vec![f64::INFINITY; values.len()],
             values,
             vectors: eigen.eigenvectors,
             held: 0,
@@ -73,6 +80,7 @@ impl Spectrum {
             let furthest = along.fold(f64::INFINITY, f64::min);
             let open = furthest.is_finite() && self.values[k] * furthest * furthest < least;
             self.determined[k] &= !open;
+            self.furthest[k] = furthest;
         }
         self
     }
@@ -171,12 +179,20 @@ impl Spectrum {
         components[coefficient].abs() * if scale > 0.0 { scale } else { 1.0 }
     }
 
-    /// How much of a coefficient lies in undetermined directions, from 0 to 1.
-    pub fn undetermined_share(&self, coefficient: usize) -> f64 {
-        let undetermined = (0..self.values.len()).filter(|k| !self.determined(*k));
-        undetermined
-            .map(|k| self.vectors[(coefficient, k)].powi(2))
-            .sum()
+    /// Whether the samples leave a coefficient open that is known to this standard deviation beside what they leave open:
+    /// a part of it lies in undetermined directions, and going along those as far as makes sense moves it by more than
+    /// its deviation allows for.
+    pub fn is_open(&self, coefficient: usize, deviation: f64) -> bool {
+        let undetermined = || (0..self.values.len()).filter(|k| !self.determined(*k));
+        let part = |k: usize| self.vectors[(coefficient, k)];
+        let share: f64 = undetermined().map(|k| part(k).powi(2)).sum();
+        if share <= rounding::WRITTEN {
+            return false;
+        }
+        let unscale = self.unscale(coefficient);
+        let moved = undetermined().map(|k| (part(k) * unscale * self.furthest[k]).powi(2));
+        let moved = moved.sum::<f64>().sqrt();
+        moved.is_nan() || moved > BESIDE * deviation
     }
 }
 
@@ -294,6 +310,17 @@ fn without_held<'g>(gram: &'g DMatrix<f64>, model: &Model) -> (Cow<'g, DMatrix<f
 mod tests {
     use super::*;
     use crate::fit::example::sweep;
+
+    /// The second column says little that the first does not: how far the second may go is open, and moves the first by
+    /// a thousandth.
+    #[test]
+    fn what_an_open_coefficient_may_do_to_another_decides_whether_that_is_known() {
+        let columns = DMatrix::from_row_slice(2, 2, &[1.0, 1e-3, 0.0, 1e-4]);
+        let spectrum = Spectrum::new(&columns.tr_mul(&columns)).within(&[1.0, 1.0], 1e-6);
+        assert_eq!(spectrum.rank(), 1);
+        assert!(!spectrum.is_open(0, 0.1) && spectrum.is_open(0, 1e-4));
+        assert!(spectrum.is_open(1, 0.1));
+    }
 
     /// Products of wild columns, one of them a hundredth of the others, one scaled by a thousand.
     fn gram_of(columns: usize) -> DMatrix<f64> {
