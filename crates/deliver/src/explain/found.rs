@@ -1,12 +1,13 @@
 //! What a search found: each effect with its size, its evidence and what to check on the machine.
 
 use super::{Block, Detail, Fact, Section, Topic, fact};
+use crate::answers::diagnosis::FamilyP;
 use crate::diagnosis::{Diagnosis, FoundEffect};
 use crate::effects;
 use crate::fit::Estimate;
 use crate::language::spoken as spoken_text;
 use crate::present::names::{figure, parameter, title_of, title_on, usual_size};
-use crate::present::numbers::significant;
+use crate::present::numbers::{significant, trimmed};
 use crate::text::{capital, spoken, within};
 
 /// Odds beyond these are said to be more, as the models behind them are no better than that.
@@ -82,11 +83,11 @@ fn implausible(one: &Estimate) -> Option<Block> {
 }
 
 /// How often noise alone looks like this.
-fn chance(found: &FoundEffect) -> String {
+fn chance(own: FamilyP) -> String {
     say!(
         "p {sign} {p} (chance that noise alone looks like this)",
-        sign = if found.p_familywise.bound { '<' } else { '=' },
-        p = found.p_familywise.p
+        sign = if own.bound { '<' } else { '=' },
+        p = trimmed(own.p, 4)
     )
 }
 
@@ -110,7 +111,7 @@ fn evidence(detail: Detail, found: &FoundEffect) -> String {
     let unseen = found
         .held_out_mm
         .map(|gap| say!("cross-validated RMS error {gap}", gap = detail.lengths(gap)));
-    let all = [Some(chance(found)), Some(odds(found)), unseen];
+    let all = [Some(chance(found.p_familywise)), Some(odds(found)), unseen];
     let all: Vec<String> = all.into_iter().flatten().collect();
     all.join("; ")
 }
@@ -126,8 +127,24 @@ fn evidence_in_facts(detail: Detail, found: &FoundEffect) -> [Fact; 3] {
         ),
     };
     [
-        fact(say!("Evidence"), chance(found)),
+        fact(say!("Evidence"), chance(found.p_familywise)),
         fact(say!("Odds"), odds(found)),
         fact(say!("RMS error"), errors),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_chance_has_no_more_digits_than_are_simulated() {
+        let said = |p, bound| chance(FamilyP { p, bound });
+        let behind = "(chance that noise alone looks like this)";
+        assert_eq!(said(5e-4, true), format!("p < 0.0005 {behind}"));
+        assert_eq!(
+            said(0.001_952_841_276, false),
+            format!("p = 0.002 {behind}")
+        );
+    }
 }

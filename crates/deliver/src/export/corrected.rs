@@ -60,13 +60,7 @@ impl Corrected {
                 left_out.push(term);
             }
         }
-        let unnamed = job
-            .calibration
-            .model
-            .terms()
-            .iter()
-            .any(|term| term.rest().is_some());
-        if nominal.joints.len() > 1 && (unnamed || !left_out.is_empty()) {
+        if nominal.joints.len() > 1 && !left_out.is_empty() {
             carried = nearest(job, &carried);
         }
         let model = Model::new(nominal.clone(), carried.clone());

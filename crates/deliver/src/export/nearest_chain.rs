@@ -1,6 +1,6 @@
 //! The chain of joints that is nearest to a model that is none.
 //!
-//! What no chain can carry (a joint that sags, an eccentricity, what predicts without a name) has a part that one can
+//! What no chain can carry (a joint that sags, an eccentricity) has a part that one can
 //! follow: the sag of an arm over the poses in which it was measured is mostly a zero offset and an axis that leans. The
 //! geometry of such a model alone is that of a robot without its sag, and leads farther off than what was identified
 //! before the sag was found. So the geometry x that a file carries is the one that follows the model over the measured
