@@ -13,11 +13,8 @@ use crate::sessions::Session;
 use crate::text::Text;
 
 use super::fits::{fit, start_of};
+use super::thresholds::{MOVED_MM, SAME_MM};
 
-/// Points within this are the same, mm.
-pub(super) const SAME_MM: f64 = 0.5;
-/// A robot that goes farther has moved, and a point that is nearer to a reflector is its, mm.
-pub(super) const MOVED_MM: f64 = 3.0;
 /// So many points at one place are no accident.
 const FEWEST_STUCK: usize = 3;
 /// Of fewer samples none is far off for sure, of more a fit takes long.

@@ -1,7 +1,7 @@
 //! Which rows a change holds for.
 
-use super::losses;
 use super::nearest::Nominal;
+use super::thresholds::{MOVED_MM, SAME_MM};
 use crate::effects::JointValues;
 use crate::fit::problem::unusable;
 use crate::fit::spread::spread;
@@ -67,7 +67,7 @@ impl RowsInOrder {
         let pairs = nominal.pairs(&nominal.inputs);
         let stays = |a: usize, b: usize| {
             let [told, seen] = [pairs[a].0 - pairs[b].0, pairs[a].1 - pairs[b].1];
-            seen.norm() < losses::SAME_MM && told.norm() > losses::MOVED_MM
+            seen.norm() < SAME_MM && told.norm() > MOVED_MM
         };
         let beside =
             |k: usize| (k > 0 && stays(k - 1, k)) || (k + 1 < pairs.len() && stays(k, k + 1));

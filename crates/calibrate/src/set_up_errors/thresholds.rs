@@ -23,3 +23,7 @@ pub(super) const NEARLY_ALL: f64 = 0.9;
 /// The logarithm by which an unusual set-up has to be likelier than the one that a session states: a thousand times, where
 /// one session in a hundred has it (a robot on a wall that is said to stand on the floor, a station in other air).
 pub(super) const LIKELIER: f64 = 11.5;
+/// Points within this are the same, mm.
+pub(super) const SAME_MM: f64 = 0.5;
+/// A robot that goes farther has moved, and a point that is nearer to a reflector is its, mm.
+pub(super) const MOVED_MM: f64 = 3.0;
