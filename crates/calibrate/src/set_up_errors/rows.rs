@@ -60,7 +60,7 @@ impl RowsInOrder {
     }
 
     /// Without those whose point stayed where it was while the commands moved on: the robot stood at a stop, or the
-    /// instrument was locked on a point ([`losses`]). They look like a home that moves with every row.
+    /// instrument was locked on a point. They look like a home that moves with every row.
     pub(super) fn of_moving_points(mut self, session: &Session, values: JointValues) -> Self {
         let few = self.select(session);
         let nominal = Nominal::of(&few, values);
