@@ -10,10 +10,10 @@ use nalgebra::{Isometry3, Point3, Quaternion, Translation3, Unit, UnitQuaternion
 use serde_json::Value;
 use truepose::compensation::Compensation;
 use truepose::compensation::VerifiedCalibration;
-use truepose::effects::{Inputs, JointValues, Term, find as find_effect};
+use truepose::effects::{Inputs, JointValues};
 use truepose::export::{Export, ExportError, Job, Motors, Options, Reference, Zeros, find};
 use truepose::fit::{DEFAULT_EFFECTS, identify_exact};
-use truepose::kinematics::{DhConvention, JointKind, Range};
+use truepose::kinematics::{DhConvention, JointKind};
 use truepose::pipeline::load_model;
 
 type Pose = Isometry3<f64>;
@@ -633,38 +633,6 @@ fn identified_arms_become_descriptions_that_lead_where_their_models_lead() {
             }
             assert_eq!(export.robot.unwrap().joints[0].kind, JointKind::Revolute);
         }
-    }
-}
-
-/// An arm of which one joint is eccentric, measured over a part of its ranges: over them that is mostly a zero offset.
-#[test]
-fn a_description_takes_over_what_a_chain_can_of_what_is_none() {
-    let path = folder().join("../arms/six-60.json");
-    let mut session = truepose::sessions::load(path).unwrap().session;
-    let effects = DEFAULT_EFFECTS.map(str::to_owned).to_vec();
-    let found = identify_exact(&session, &effects, JointValues::Commanded).unwrap();
-    let inputs = Inputs::new(&session, JointValues::Commanded);
-    let mut calibration = found.calibration(&session, &inputs);
-    let mut eccentric = Term::absent(find_effect("encoder-eccentricity").unwrap(), 1, 0.0);
-    eccentric.coefficients = vec![3e-3, 0.0];
-    calibration.model = calibration.model.with_term(eccentric);
-    calibration.covariance = None;
-    for range in &mut calibration.measured {
-        *range = Range {
-            from: -0.4,
-            to: 0.4,
-        };
-    }
-    let there = calibration.model.predict(&inputs);
-    drop(inputs);
-    let samples = &mut session.samples;
-    (samples.x_mm, samples.y_mm, samples.z_mm) = (there.x_mm, there.y_mm, Some(there.z_mm));
-    let calibration = VerifiedCalibration::on(&calibration, &session).unwrap();
-    for to in ["urdf", "mjcf"] {
-        let export = made(&calibration, to, Options::default()).unwrap();
-        let leaves = &json(&text(&export, ".meta.json"))["leaves"];
-        let left = leaves["rms_mm"].as_f64().unwrap();
-        assert!(left < 0.2, "{to}: {leaves}");
     }
 }
 

@@ -6,9 +6,7 @@
 #[macro_use]
 extern crate truepose_base;
 
-use truepose_base::{
-    budget, diagnostic, guard, kinematics, lanes, numeric, progress, rounding, text, units,
-};
+use truepose_base::{diagnostic, guard, kinematics, lanes, numeric, progress, text, units};
 use truepose_calibrate::{answers, compensation, design, diagnosis, fit, paper, set_up_errors};
 #[cfg(test)]
 use truepose_model::simulation;

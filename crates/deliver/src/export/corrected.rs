@@ -12,12 +12,11 @@
 //!
 //! and the chain that results has to lead where the model leads at many poses, from both sides, under
 //! loads, warm and cold. So an effect that is added to the catalogue is treated rightly without a
-//! word here. Of several joints the geometry then takes over what it can of the others ([`nearest`]).
+//! word here.
 
 use nalgebra::{Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
 use super::Job;
-use super::nearest_chain::nearest;
 use super::poses::poses;
 use crate::compensation::Side;
 use crate::compensation::plan::of_the_robot;
@@ -59,9 +58,6 @@ impl Corrected {
             } else {
                 left_out.push(term);
             }
-        }
-        if nominal.joints.len() > 1 && !left_out.is_empty() {
-            carried = nearest(job, &carried);
         }
         let model = Model::new(nominal.clone(), carried.clone());
         match Self::chain(&model).filter(|(robot, _)| leads_the_same(job, &model, robot)) {

@@ -31,7 +31,6 @@ mod grid;
 mod job;
 mod knots;
 mod names;
-mod nearest_chain;
 mod options;
 #[doc(hidden)]
 pub mod poses;
