@@ -483,8 +483,12 @@ fn locked(problem: &Problem, share: Option<f64>) -> Vec<bool> {
 mod tests {
     use super::*;
     use crate::diagnosis::candidates::table::CandidateKind;
+    use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
+    use crate::distributions::t_quantile;
     use crate::model::shapes::{Shape, Variable};
+    use crate::sessions::parse;
     use crate::simulation::{parse_scenario, simulate, unwatched};
+    use crate::units::HALF_TURN_DEG;
 
     /// A part may have none of the first target, and its own range of every variable.
     #[test]
@@ -513,5 +517,49 @@ mod tests {
         let whole = parts(usize::MAX);
         assert!(whole.iter().all(|c| c.concat().iter().any(|v| *v != 0.0)));
         assert!(parts(1) == whole && parts(7) == whole);
+    }
+
+    /// Values, intervals and how much likelier a name makes the samples, beside scipy's (`tests/reference/fits.py`).
+    #[test]
+    fn fits_and_how_they_are_compared_are_those_of_scipy() {
+        let from_scipy = include_str!("../../../../../tests/reference/fits.json");
+        let expected: serde_json::Value = serde_json::from_str(from_scipy).unwrap();
+        let of = |name: &str| expected[name].as_f64().unwrap();
+        let document = serde_json::json!({
+            "format": "truepose-session/1", "name": "s",
+            "robot": { "name": "r", "joints": [
+                { "name": "pan", "kind": "revolute", "axis": [0, 0, 1], "point_mm": [0, 0, 0] },
+            ], "tool": { "position_mm": [400, 0, 300], "quaternion_wxyz": [1, 0, 0, 0] } },
+            "samples": { "columns": expected["columns"] },
+        });
+        let session = parse(document.to_string().as_bytes()).unwrap().session;
+        let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
+        let regression = &prepared.regression;
+        let base = regression.fit(&regression.base, &[]);
+        let eccentric = find("encoder-eccentricity").unwrap();
+        let named = CandidateKind::Named(Term::absent(eccentric, 0, 0.0));
+        let fit = regression.with(&base, &named);
+        let likelier = fit.ln_evidence - base.ln_evidence + EFFECT_PRIOR_PENALTY;
+        assert!(
+            (likelier - 0.5 * of("bic_falls_by")).abs() < 1e-3,
+            "{likelier}"
+        );
+
+        let covariance = fit.basis.inverse_gram();
+        let factor = t_quantile(0.975, regression.m() - 4.0) * regression.scale(&fit);
+        let rad = HALF_TURN_DEG / std::f64::consts::PI;
+        for (id, name, unit) in [
+            ("joint-zero-offset", "zero_deg", rad),
+            ("link-length", "length_mm", 1.0),
+        ] {
+            let before = fit.model.terms().iter();
+            let before = before.take_while(|t| t.effect.about().id != id);
+            let k: usize = before.map(|t| t.coefficients.len()).sum();
+            let (value, half) = (of(name), of(&name.replace('_', "_half_")));
+            let found = fit.model.coefficients()[k] * unit;
+            assert!((found - value).abs() < 1e-4 * half, "{found} {value}");
+            let found = factor * covariance[(k, k)].sqrt() * unit;
+            assert!((found / half - 1.0).abs() < 1e-4, "{found} {half}");
+        }
     }
 }
