@@ -325,11 +325,8 @@ fn to_base_units(robot: &Robot, start: &[f64]) -> Vec<f64> {
 
 /// Names every target that was left as it is; the status says so as well.
 fn complain(answer: &Answer, file: &Path) -> Result<(), Failure> {
-    for target in &answer.targets {
-        if let Err(left) = &target.result {
-            let says = explain::left_as_it_is(target, left);
-            output::messages(&[format!("{}, {says}", file.display())]);
-        }
+    for says in explain::left_as_they_are(answer) {
+        output::messages(&[format!("{}, {says}", file.display())]);
     }
     let declared_elsewhere = |target: &Outcome| {
         let left = target.result.as_ref().err();

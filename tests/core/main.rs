@@ -1,6 +1,8 @@
 //! Everything below the window, from outside: what a caller of the library and a person at the
 //! terminal meet. One binary, so that the library is linked once; a file per subject.
 
+#[path = "../support/cases.rs"]
+mod cases;
 #[path = "../support/compensating.rs"]
 mod compensating;
 #[path = "../support/controllers.rs"]

@@ -24,6 +24,7 @@
 
 use std::path::PathBuf;
 
+use crate::cases::cases;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use serde_json::Value;
 use truepose::design::{Plan, PlanError, PlanOptions, plan_robot, plan_session};
@@ -285,11 +286,11 @@ fn planned_poses_leave_less_uncertainty_than_random_ones_on_every_arm() {
     println!(
         "| arm | poses | RMS, planned / random | 95 %, planned / random | over the best of 1000 |"
     );
-    for kind in KINDS {
+    for kind in cases(&KINDS, 1) {
         let (robot, bare) = robot(kind);
         let mut random = Lehmer(0x1234_5678_9abc_def1);
         let mut made: Option<[Vec<DMatrix<f64>>; 2]> = None;
-        for poses in [30, 60] {
+        for poses in cases(&[30, 60], 1).iter().copied() {
             let plan = plan_robot(&robot, &with_poses(poses)).unwrap();
             assert_eq!(plan.poses.len(), poses);
             let targets = targets(&plan);
@@ -350,7 +351,7 @@ fn planned_poses_leave_less_uncertainty_than_random_ones_on_every_arm() {
 
 #[test]
 fn so_many_poses_are_enough_as_are_said_and_fewer_are_not() {
-    for (kind, wanted) in [("six", 0.03), ("scara", 0.02)] {
+    for (kind, wanted) in cases(&[("scara", 0.02), ("six", 0.03)], 1).iter().copied() {
         let (robot, bare) = robot(kind);
         let options = PlanOptions {
             accuracy_mm: Some(wanted),
@@ -394,7 +395,7 @@ fn so_many_poses_are_enough_as_are_said_and_fewer_are_not() {
 
 #[test]
 fn limits_hold_both_sides_are_tried_and_the_way_is_short() {
-    for kind in KINDS {
+    for kind in cases(&KINDS, 2) {
         let (robot, bare) = robot(kind);
         let plan = plan_robot(&robot, &with_poses(60)).unwrap();
         for (joint, [low, high]) in bare.limits.iter().enumerate() {

@@ -437,7 +437,7 @@ fn what_is_hidden_in_a_robot_of_every_kind_is_found() {
     let kinds: BTreeSet<&str> = cases.iter().map(|case| of_id(case.0).kind.name()).collect();
     assert_eq!(kinds.len(), RobotKind::ALL.len(), "one of every kind");
     let folder = tempfile::tempdir().unwrap();
-    for (robot, effect, joint, parameters) in cases {
+    for (robot, effect, joint, parameters) in crate::cases::cases(&cases, 3).iter().copied() {
         let session = folder.path().join(format!("{robot}.json"));
         let session = session.to_str().unwrap();
         let hidden = format!("{effect}:{joint}:{parameters}");

@@ -33,7 +33,7 @@ pub use identification::{problems_of_data, remarks_on_fit};
 pub use imported::imported;
 pub use parameters::values;
 pub use plan::plan;
-pub use program::left_as_it_is;
+pub use program::left_as_they_are;
 pub use program::program;
 pub(crate) use section::fact;
 pub use section::{Block, Fact, Section, Topic};

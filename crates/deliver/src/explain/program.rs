@@ -1,6 +1,8 @@
 //! Corrected targets of a table or a robot program: how many, how far off they were and are, what is given up of
 //! their orientation, what could not be corrected.
 
+use std::collections::HashMap;
+
 use super::{Block, Detail, Fact, Section, Topic, clean, cleaned, fact};
 use crate::language;
 use crate::present::compensation_v1::{SAID_RAD, Summary};
@@ -33,7 +35,7 @@ pub fn program(answer: &Answer, orientation: bool, most: usize, detail: Detail) 
     let left = if detail.brief {
         Vec::new()
     } else {
-        left_as_they_are(answer).collect()
+        left_as_they_are(answer)
     };
     let left = left.into_iter().chain(of_lines(&answer.at_run_time));
     sections.extend(listed(Topic::LeftAsIs, say!("Not corrected"), left, most));
@@ -43,21 +45,33 @@ pub fn program(answer: &Answer, orientation: bool, most: usize, detail: Detail) 
     sections
 }
 
-/// Why a target was left as it is, with its name; where it is stands before it.
+/// Why targets were left as they are, those with the same reason in one line at the place of the first.
 #[doc(hidden)]
-pub fn left_as_it_is(target: &Outcome, left: &SkippedTarget) -> String {
-    let says = say!(
-        "{target} is left as it is ({reason}): {left}",
-        target = called(&target.name),
-        reason = word(left.reason.name()),
-        left = cleaned(&left.explanation)
-    );
-    at(target.place, &says)
-}
-
-fn left_as_they_are(answer: &Answer) -> impl Iterator<Item = String> + '_ {
-    let left = |target: &Outcome| Some(left_as_it_is(target, target.result.as_ref().err()?));
-    answer.targets.iter().filter_map(left)
+pub fn left_as_they_are(answer: &Answer) -> Vec<String> {
+    let mut lines: Vec<(&SkippedTarget, String, Vec<&Outcome>)> = Vec::new();
+    let mut known = HashMap::new();
+    for target in &answer.targets {
+        let Err(left) = &target.result else { continue };
+        let says = cleaned(&left.explanation);
+        let line = *known
+            .entry((left.reason.name(), says.clone()))
+            .or_insert(lines.len());
+        if line == lines.len() {
+            lines.push((left, says, Vec::new()));
+        }
+        lines[line].2.push(target);
+    }
+    let say = |(left, says, targets): (&SkippedTarget, String, Vec<&Outcome>)| {
+        let names: Vec<String> = targets.iter().map(|t| called(&t.name)).collect();
+        let says = say!(
+            "{targets} unchanged ({reason}): {left}",
+            targets = names.join(", "),
+            reason = word(left.reason.name()),
+            left = says
+        );
+        at(targets[0].place, &says)
+    };
+    lines.into_iter().map(say).collect()
 }
 
 fn of_lines(lines: &[(u64, u64, Text)]) -> impl Iterator<Item = String> + '_ {
