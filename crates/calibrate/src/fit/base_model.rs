@@ -1,6 +1,6 @@
 //! What belongs to every calibration of a robot with several joints, for identification and
 //! diagnosis alike: the measuring frame, the zero offset and the link geometry of every joint, and
-//! the tool with its targets. A robot with a single joint keeps its zero offset and link length.
+//! the tool with its targets. A robot with a single joint has its zero offset and link length.
 //!
 //! What the samples cannot tell apart is held by the gauge (`gauge.rs`).
 //!
@@ -16,8 +16,8 @@
 use std::borrow::Cow;
 
 use crate::effects::{
-    Effect, LINK_GEOMETRY, MEASURING_FRAME, Setting, TOOL_ORIENTATION, TOOL_POSITION, Term,
-    joint_zero, role,
+    Effect, LINK_GEOMETRY, MEASURING_FRAME, OF_A_SINGLE_AXIS, Setting, Survey, TOOL_ORIENTATION,
+    TOOL_POSITION, Term, find, joint_zero, role,
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
@@ -86,15 +86,46 @@ pub(crate) fn terms(
     terms
 }
 
-/// All of it: zero offsets, frames, tool, links.
+/// All of it: zero offsets, frames, tool, links; of a single joint its zero offset and link length where they can be
+/// tested, and what is [`beside`] them.
 pub fn start(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool) -> Model {
     let mut all = Vec::new();
-    if exists(joint_zero().about().id) {
-        let joints = 0..session.robot.joints.len();
-        all.extend(joints.map(|joint| Term::absent(joint_zero(), joint, 0.0)));
+    if is_arm(session) {
+        if exists(joint_zero().about().id) {
+            let joints = 0..session.robot.joints.len();
+            all.extend(joints.map(|joint| Term::absent(joint_zero(), joint, 0.0)));
+        }
+        all.extend(terms(session, problem, exists));
+    } else {
+        all.extend(of_a_single_joint(session, problem, exists));
+        all.extend(beside(session, problem));
     }
-    all.extend(terms(session, problem, exists));
     Model::new(session.robot.clone(), all)
+}
+
+/// Zero offset and link length of the only joint, where the samples can show them.
+pub(crate) fn of_a_single_joint(
+    session: &Session,
+    problem: &Problem,
+    exists: impl Fn(&str) -> bool,
+) -> Vec<Term> {
+    let survey = Survey::new(session, &problem.inputs);
+    let all = OF_A_SINGLE_AXIS.into_iter().filter(|id| exists(id));
+    let testable = all
+        .filter_map(find)
+        .filter(|effect| effect.obstacle(&survey, 0).is_none());
+    testable
+        .map(|effect| Term::absent(effect, 0, 0.0))
+        .collect()
+}
+
+/// What is fitted beside the parameters of a single joint, or of names alone: unknown places of what was measured, or a
+/// frame for each setup.
+pub(crate) fn beside(session: &Session, problem: &Problem) -> Vec<Term> {
+    match &problem.observed {
+        Some(layer) => observed::terms_beside(session, layer),
+        None => free_frames(session, problem),
+    }
 }
 
 /// A frame for each setup, or the one of the instrument, from the best rigid motion.
@@ -154,9 +185,16 @@ pub struct Fitted {
 
 /// Fits a model with a base model in it: gauge, frame and tool before links, outliers, priors that
 /// turn out wrong. The problem keeps the priors and the samples that count. `weak` is whether the
-/// weak priors hold.
+/// weak priors hold. Nothing is known beforehand of a single joint whose points were measured.
 pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
     let mut notes = Vec::new();
+    if !is_arm(problem.session) && problem.observed.is_none() {
+        return Fitted {
+            solution: fit_without_outliers(problem, start),
+            held: Vec::new(),
+            notes,
+        };
+    }
     problem.priors = priors(problem, start, weak, &mut notes);
     let mut open = Vec::new();
     let sized = observed::hold_size(problem, start, &mut open);

@@ -241,10 +241,8 @@ pub(super) fn prepare<'a>(
         let known = |id: &str| terms.iter().any(|t: &Term| t.effect.about().id == id);
         let new = base_model::terms(session, &problem, |id| !known(id));
         terms.extend(new);
-    } else if let Some(layer) = &problem.observed {
-        terms.extend(observed::terms_beside(session, layer));
     } else {
-        terms.extend(base_model::free_frames(session, &problem));
+        terms.extend(base_model::beside(session, &problem));
     }
     let nominal = Model::nominal(session.robot.clone());
     let base = base || problem.observed.is_some();

@@ -1,13 +1,13 @@
 //! Fits of some samples of a session, by which every hypothesis is judged.
 
 use crate::effects::{
-    JointValues, MEASURING_FRAME, Role, Setting, TOOL_POSITION, Term, joint_zero, tool_radius,
+    JointValues, MEASURING_FRAME, Role, Setting, TOOL_POSITION, Term, joint_zero,
 };
+use crate::fit::base_model;
 use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::fit::spread::places;
-use crate::fit::{base_model, fit_without_outliers, free_frames};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::numeric::whole;
@@ -28,41 +28,6 @@ pub(super) fn some_samples(session: &Session) -> Session {
     session.of_rows(&some.collect::<Vec<_>>())
 }
 
-/// The base model of a session, absent.
-pub(super) fn start_of(session: &Session, problem: &Problem) -> Model {
-    if base_model::is_arm(session) {
-        return base_model::start(session, problem, |_| true);
-    }
-    let mut terms = of_one_joint(session);
-    terms.extend(match &problem.observed {
-        Some(layer) => crate::fit::observed::terms_beside(session, layer),
-        None => free_frames(session, problem),
-    });
-    Model::new(session.robot.clone(), terms)
-}
-
-/// The zero offset of the only joint, and its link.
-fn of_one_joint(session: &Session) -> Vec<Term> {
-    let joints = session.robot.joints.iter();
-    let turns = joints
-        .clone()
-        .all(|joint| joint.kind == JointKind::Revolute);
-    let link = turns.then(|| Term::absent(tool_radius(), 0, 0.0));
-    [Term::absent(joint_zero(), 0, 0.0)]
-        .into_iter()
-        .chain(link)
-        .collect()
-}
-
-/// A model with the base model in it, fitted to a problem, which keeps the samples that count.
-pub(super) fn fit(problem: &mut Problem, start: &Model) -> Model {
-    if base_model::is_arm(problem.session) || problem.observed.is_some() {
-        base_model::fit(problem, start, true).solution.model
-    } else {
-        fit_without_outliers(problem, start).model
-    }
-}
-
 /// The base model fitted to a session, and the root mean square of what it leaves, mm, without the
 /// twentieth of the samples that is farthest off.
 pub(super) fn fitted(session: &Session, values: JointValues) -> Option<(Model, f64)> {
@@ -79,8 +44,8 @@ pub(super) fn fitted_from(
     if problem.samples() == 0 {
         return None;
     }
-    let start = change(start_of(session, &problem));
-    let model = fit(&mut problem, &start);
+    let start = change(base_model::start(session, &problem, |_| true));
+    let model = base_model::fit(&mut problem, &start, true).solution.model;
     let mut lengths = in_order(lengths_mm(&problem, &model));
     lengths.truncate(lengths.len() - lengths.len() / 20);
     let square = lengths.iter().map(|v| v * v).sum::<f64>() / lengths.len().max(1) as f64;
@@ -148,7 +113,7 @@ pub(super) fn trial(session: &Session, values: JointValues, free_frame: bool) ->
         let others = 1..session.robot.joints.len();
         terms.extend(others.map(|joint| Term::absent(joint_zero(), joint, 0.0)));
     } else {
-        terms.extend(of_one_joint(session));
+        terms.extend(base_model::of_a_single_joint(session, &problem, |_| true));
     }
     let model = solve(&problem, &Model::new(session.robot.clone(), terms)).model;
     let reach_mm = session.robot.length_along_links_mm();

@@ -12,8 +12,8 @@ use crate::model::Model;
 use crate::sessions::Session;
 use crate::text::Text;
 
-use super::fits::{fit, start_of};
 use super::thresholds::{MOVED_MM, SAME_MM};
+use crate::fit::base_model;
 
 /// So many points at one place are no accident.
 const FEWEST_STUCK: usize = 3;
@@ -57,8 +57,8 @@ pub(super) fn mislocked(session: &Session, values: JointValues) -> Vec<DataProbl
         return Vec::new();
     }
     let mut problem = Problem::new(session, values);
-    let start = start_of(session, &problem);
-    let fitted = fit(&mut problem, &start);
+    let start = base_model::start(session, &problem, |_| true);
+    let fitted = base_model::fit(&mut problem, &start, true).solution.model;
     let is_off = |i: &usize| problem.fit[*i] && !problem.used[*i];
     let off: Vec<usize> = (0..problem.fit.len()).filter(is_off).collect();
     if off.is_empty() || off.len() * 3 > problem.fit.len() {

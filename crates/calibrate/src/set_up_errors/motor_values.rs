@@ -15,9 +15,10 @@ use crate::numeric::extent;
 use crate::sessions::correction::{GRADIAN_DEG, LARGEST_SCALE, SCALE_FAR_FROM_ONE};
 use crate::sessions::{Session, SessionCorrection};
 
-use super::fits::{fit, start_of, thinned};
+use super::fits::thinned;
 use super::nearest::Nominal;
 use super::thresholds::FEW_SAMPLES;
+use crate::fit::base_model;
 
 /// Values within so many times the limits are out of them for another reason.
 const BEYOND: f64 = 2.0;
@@ -144,8 +145,9 @@ fn with_base_model(session: &Session, values: JointValues, joint: usize, ratio: 
     let scaled = by_ratio(session, joint, ratio);
     let mut problem = Problem::new(&scaled, values);
     let effect = joint_scale();
-    let start = start_of(&scaled, &problem).with_term(Term::absent(effect, joint, 0.0));
-    let fitted = fit(&mut problem, &start);
+    let start =
+        base_model::start(&scaled, &problem, |_| true).with_term(Term::absent(effect, joint, 0.0));
+    let fitted = base_model::fit(&mut problem, &start, true).solution.model;
     let mut terms = fitted.terms().iter();
     let own = terms.find(|term| term.effect.about().id == effect.about().id);
     let scale = own.and_then(|term| term.coefficients.first().copied());

@@ -17,15 +17,13 @@ use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Folds;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::{DiagnoseError, Options};
-use crate::effects::{Over, Survey, Term, find};
+use crate::effects::{Over, Survey, Term};
 use crate::fit::gap::{Deviations, deviations, suspects_beside};
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::fit::solver::covariance_at;
-use crate::fit::{
-    DEFAULT_EFFECTS, NotIdentifiable, base_model, fit_without_outliers, free_frames, observed,
-};
+use crate::fit::{NotIdentifiable, base_model, observed};
 use crate::linear::Basis;
 use crate::model::Model;
 use crate::observations::figures::judge;
@@ -87,20 +85,10 @@ impl<'a> PreparedSearch<'a> {
             return Err(DiagnoseError::NothingToFit);
         }
         let survey = Survey::new(session, &problem.inputs);
-        let start = if base_model::is_arm(session) {
-            base_model::start(session, &problem, |id| options.allowed.exists(id))
-        } else {
-            single_joint(session, &problem, &survey, options)
-        };
+        let start = base_model::start(session, &problem, |id| options.allowed.exists(id));
         let nominal = observed::nominal_of(session, problem.observed.as_ref(), &start);
-        let (base, not_identifiable) = if base_model::is_arm(session) || problem.observed.is_some()
-        {
-            let fitted = base_model::fit(&mut problem, &start, true);
-            (fitted.solution.model, fitted.held)
-        } else {
-            let fitted = fit_without_outliers(&mut problem, &start);
-            (fitted.model, Vec::new())
-        };
+        let fitted = base_model::fit(&mut problem, &start, true);
+        let (base, not_identifiable) = (fitted.solution.model, fitted.held);
         let as_identified = Rc::new(problem.clone());
         // How large its own links are is known of the base alone: beside names they carry less.
         problem.priors = problem.priors.of_any_robot();
@@ -323,32 +311,6 @@ fn deviations_beside(problem: &Problem, beside: &[[Vec<f64>; 3]], fit: &Fit) -> 
     left
 }
 
-/// Terms that belong to every calibration: zero offset and link length, and free frames.
-fn single_joint(session: &Session, problem: &Problem, survey: &Survey, options: &Options) -> Model {
-    let mut terms = Vec::new();
-    for id in DEFAULT_EFFECTS {
-        let Some(effect) = find(id) else { continue };
-        if !options.allowed.exists(id) {
-            continue;
-        }
-        let joints = if effect.about().per_joint {
-            survey.joints.len()
-        } else {
-            1
-        };
-        for joint in 0..joints {
-            if effect.obstacle(survey, joint).is_none() {
-                terms.push(Term::absent(effect, joint, 0.0));
-            }
-        }
-    }
-    terms.extend(match &problem.observed {
-        Some(layer) => observed::terms_beside(session, layer),
-        None => free_frames(session, problem),
-    });
-    Model::new(session.robot.clone(), terms)
-}
-
 /// The regression of a problem, whose outliers are looked for beside many columns at once first: what
 /// the base lacks does not pass for them, and does not hide them.
 fn regression<'a>(
@@ -485,6 +447,7 @@ mod tests {
     use crate::diagnosis::candidates::table::CandidateKind;
     use crate::diagnosis::evidence::EFFECT_PRIOR_PENALTY;
     use crate::distributions::t_quantile;
+    use crate::effects::find;
     use crate::model::shapes::{Shape, Variable};
     use crate::sessions::parse;
     use crate::simulation::{parse_scenario, simulate, unwatched};

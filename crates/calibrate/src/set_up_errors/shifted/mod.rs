@@ -36,8 +36,8 @@ use crate::row_checks::listed;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::length;
 
-use super::fits::{fit, start_of};
 use super::nearest::LEAST_SIGMA_MM;
+use crate::fit::base_model;
 use path::{MEDIAN_LENGTH, Path, Points};
 use starts::starts;
 
@@ -145,8 +145,11 @@ impl Search<'_> {
         if problem.samples() == 0 {
             return None;
         }
-        let start = start_of(&part, &problem);
-        let predicted = fit(&mut problem, &start).predict(&self.inputs);
+        let start = base_model::start(&part, &problem, |_| true);
+        let predicted = base_model::fit(&mut problem, &start, true)
+            .solution
+            .model
+            .predict(&self.inputs);
         let sigma_mm = self.typical(&predicted, &path, 0..n)? / MEDIAN_LENGTH;
         Some(Fitted {
             path,
