@@ -106,7 +106,7 @@ mod tests {
     use crate::fit::base_model;
     use crate::fit::estimator::noise_beside;
     use crate::fit::example::unrepeated;
-    use crate::fit::fit_without_outliers;
+    use crate::fit::estimator::fit_without_outliers;
     use crate::fit::noise::{Noise, Slow};
     use crate::fit::regression::Rows;
     use crate::fit::solver::equations_at;
