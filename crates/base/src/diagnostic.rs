@@ -205,21 +205,20 @@ pub fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
         return findings;
     }
     let mut counts = [0_usize; 3];
+    let mut first_more: [Option<Place>; 3] = [const { None }; 3];
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(3 * MOST_FINDINGS);
     for finding in findings {
         let count = &mut counts[finding.severity as usize];
         *count += 1;
         if *count <= MOST_FINDINGS {
             kept.push(finding);
+        } else {
+            first_more[finding.severity as usize].get_or_insert(finding.place);
         }
     }
     for severity in [Severity::Note, Severity::Warning, Severity::Error] {
         let more = counts[severity as usize].saturating_sub(MOST_FINDINGS);
-        if let (true, Some(last)) = (more > 0, kept.iter().rfind(|f| f.severity == severity)) {
-            let place = Place {
-                file: last.place.file.clone(),
-                ..Place::default()
-            };
+        if let Some(place) = first_more[severity as usize].take() {
             let says = match severity {
                 Severity::Note => {
                     text!(one "{count} more note like these", "{count} more notes like these", count = more)
@@ -268,7 +267,7 @@ mod tests {
         assert_eq!(few[MOST_FINDINGS].severity, Severity::Error);
         assert_eq!(
             few[MOST_FINDINGS + 1].to_string(),
-            "a: 99800 more notes like these"
+            "a, line 200: 99800 more notes like these"
         );
         assert_eq!(summarised(findings[..10].to_vec()), findings[..10]);
     }
