@@ -74,9 +74,9 @@ pub fn diagnose(
         goes_on
     };
     let watch: Watch = &asked;
-    let mended = checked(session, options, watch)?;
-    let first = prepared(&mended.session, options, watch)?;
-    let (prepared, answer) = answered(&mended, first, options, planner, watch)?;
+    let corrected = checked(session, options, watch)?;
+    let first = prepared(&corrected.session, options, watch)?;
+    let (prepared, answer) = answered(&corrected, first, options, planner, watch)?;
     let sides_matter = prepared.incomplete.as_ref().is_none_or(|lacking| {
         let (problem, noise_mm) = (&prepared.problem, answer.floor.mm);
         !incomplete::only_sides_that_matter_little(problem, lacking, &answer.model, noise_mm)
@@ -84,13 +84,13 @@ pub fn diagnose(
     if sides_matter || answer.stopped.is_some() {
         return Ok(answer);
     }
-    let all = PreparedSearch::of(&mended.session, options, |_| None)?;
-    Ok(answered(&mended, all, options, planner, watch)?.1)
+    let all = PreparedSearch::of(&corrected.session, options, |_| None)?;
+    Ok(answered(&corrected, all, options, planner, watch)?.1)
 }
 
 /// The search of a session made ready, and what its end says.
 fn answered<'a>(
-    mended: &'a CorrectedSession,
+    corrected: &'a CorrectedSession,
     prepared: PreparedSearch<'a>,
     options: &Options,
     planner: Planner,
@@ -98,7 +98,7 @@ fn answered<'a>(
 ) -> Result<(PreparedSearch<'a>, Diagnosis), DiagnoseError> {
     let (prepared, found) = searched(prepared, options, watch)?;
     let keep_going = until_stopped(&prepared.regression.work, options, watch);
-    let answer = verdict::answer(mended, &prepared, &found, planner, &keep_going)?;
+    let answer = verdict::answer(corrected, &prepared, &found, planner, &keep_going)?;
     drop(keep_going);
     Ok((prepared, answer))
 }

@@ -87,8 +87,8 @@ impl<'a> CorrectedSession<'a> {
             if found.is_empty() {
                 return;
             }
-            for mend in found.iter().filter_map(|problem| problem.mend.as_ref()) {
-                mend.apply_keeping_rows(self.session.to_mut());
+            for correction in found.iter().filter_map(|problem| problem.mend.as_ref()) {
+                correction.apply_keeping_rows(self.session.to_mut());
             }
             self.problems.extend(found);
         }

@@ -17,15 +17,15 @@ use super::motor_values::{likely_ratios, likely_scales};
 pub(super) struct Change {
     pub(super) what: Text,
     pub(super) proposal: Text,
-    pub(super) mends: Vec<SessionCorrection>,
+    pub(super) corrections: Vec<SessionCorrection>,
 }
 
 impl Change {
-    fn new(what: Text, proposal: Text, mend: SessionCorrection) -> Self {
+    fn new(what: Text, proposal: Text, correction: SessionCorrection) -> Self {
         Self {
             what,
             proposal,
-            mends: vec![mend],
+            corrections: vec![correction],
         }
     }
 
@@ -52,15 +52,15 @@ pub(super) fn frame_is_free(session: &Session) -> bool {
 
 /// Every change that makes sense for a robot.
 pub(super) fn changes(session: &Session, values: JointValues) -> Vec<Change> {
-    let left = |scaled: &Session| {
+    let residual_mm = |scaled: &Session| {
         let end = trial(scaled, values, frame_is_free(session))?;
         Some(end.within_mm(super::thresholds::HALF))
     };
     let mut all = plain(session, frame_is_free(session));
     all.extend(driven(session));
-    let motors = likely_ratios(session, values, left).into_iter();
+    let motors = likely_ratios(session, values, residual_mm).into_iter();
     all.extend(motors.map(|(joint, ratio)| values_of_a_motor(joint, ratio)));
-    let scales = likely_scales(session, values, left).into_iter();
+    let scales = likely_scales(session, values, residual_mm).into_iter();
     all.extend(scales.map(scale_is_wrong));
     all
 }
@@ -74,7 +74,7 @@ pub(super) fn of_rows(session: &Session) -> Vec<Change> {
         SessionCorrection::FreeFrame,
     ));
     // What has several changes is another's twin, and read-back values are of all rows.
-    all.retain(|change| matches!(change.mends.as_slice(), [mend] if *mend != SessionCorrection::TakeReadBack));
+    all.retain(|change| matches!(change.corrections.as_slice(), [correction] if *correction != SessionCorrection::TakeReadBack));
     all
 }
 
@@ -270,12 +270,12 @@ fn in_the_value(what: Text, from: usize, joint: usize, factor: f64) -> Change {
     } else {
         text!("add joint {a} in the value of joint {b}", a, b)
     };
-    let mend = SessionCorrection::CoupleJoint {
+    let correction = SessionCorrection::CoupleJoint {
         joint,
         from,
         factor,
     };
-    Change::new(what, proposal, mend)
+    Change::new(what, proposal, correction)
 }
 
 fn homes(session: &Session, frame_is_free: bool) -> Vec<Change> {
@@ -295,7 +295,7 @@ fn homes(session: &Session, frame_is_free: bool) -> Vec<Change> {
                     b = after + 1
                 ),
                 proposal: Text::default(),
-                mends: vec![turned_home(before, 180.0), turned_home(after, 180.0)],
+                corrections: vec![turned_home(before, 180.0), turned_home(after, 180.0)],
             });
         }
     }
@@ -403,8 +403,8 @@ fn correct_the_unit_of(column: String) -> Text {
 }
 
 /// Whether a correction changes the unit of one coordinate.
-pub(super) fn is_of_one_coordinate(mend: &SessionCorrection) -> bool {
-    matches!(mend, SessionCorrection::ScaleCoordinate { .. })
+pub(super) fn is_of_one_coordinate(correction: &SessionCorrection) -> bool {
+    matches!(correction, SessionCorrection::ScaleCoordinate { .. })
 }
 
 /// Two of the measured axes are exchanged. Two pairs exchanged are a turn of the frame: what is left is one exchange,

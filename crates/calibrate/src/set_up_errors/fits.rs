@@ -53,7 +53,7 @@ pub(super) fn fitted_from(
 }
 
 /// What the base model leaves of some samples, mm.
-pub(super) fn left_mm(session: &Session, values: JointValues) -> Option<f64> {
+pub(super) fn residual_mm(session: &Session, values: JointValues) -> Option<f64> {
     Some(fitted(&some_samples(session), values)?.1)
 }
 

@@ -21,8 +21,8 @@ use crate::numeric::extent;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
 
-use super::left::Beside;
-use super::looked::{Looked, Unstated};
+use super::examined::{Examined, Unstated};
+use super::residuals::Projected;
 use super::thresholds::LIKELIER;
 
 /// Directions that are tried first, evenly over the sphere: 5° apart.
@@ -36,10 +36,10 @@ const LEVEL: f64 = 0.17;
 pub(super) fn runs_otherwise(
     session: &Session,
     _: JointValues,
-    looked: &Looked,
+    examined: &Examined,
 ) -> Option<Unstated> {
     let stated = session.robot.gravity_m_s2.filter(|g| g.norm() > 0.0)?;
-    let sag = Sag::of(looked)?;
+    let sag = Sag::of(examined)?;
     let direction = sag.likeliest()?;
     let as_stated = stated.normalize();
     let needed = LIKELIER + sag.nats(&as_stated, 0).max(sag.foundation).max(0.0);
@@ -47,7 +47,7 @@ pub(super) fn runs_otherwise(
     if more < 0.0 || (direction - as_stated).norm() < LEVEL {
         return None;
     }
-    let mend = SessionCorrection::TurnGravity((direction * stated.norm()).into());
+    let correction = SessionCorrection::TurnGravity((direction * stated.norm()).into());
     let along = |d: &Vector3<f64>| Text::verbatim(format!("({:.2}, {:.2}, {:.2})", d.x, d.y, d.z));
     let problem = DataProblem::of_all(
         text!(
@@ -57,7 +57,7 @@ pub(super) fn runs_otherwise(
         ),
         text!("what the joints give under the changing load is more than 1000 times likelier so"),
         text!("it is taken so; say in the session how the robot is mounted"),
-        mend,
+        correction,
     );
     Some((more, problem))
 }
@@ -68,7 +68,7 @@ struct Sag<'a> {
     gram: DMatrix<f64>,
     /// With what is left.
     pull: DVector<f64>,
-    beside: Beside<'a>,
+    projected: Projected<'a>,
     /// By how much rows say less than as many that are independent.
     dilution: f64,
     joints: usize,
@@ -77,7 +77,7 @@ struct Sag<'a> {
 }
 
 impl<'a> Sag<'a> {
-    fn of(Looked { few, left, .. }: &'a Looked) -> Option<Self> {
+    fn of(Examined { few, residuals, .. }: &'a Examined) -> Option<Self> {
         let load = few.samples.load_kg.as_ref()?;
         let [least, most] = extent(load);
         if least >= most || load.iter().any(|kg| !kg.is_finite()) {
@@ -85,27 +85,27 @@ impl<'a> Sag<'a> {
         }
         let turning = |j: &usize| few.robot.joints[*j].kind == JointKind::Revolute;
         let joints: Vec<usize> = (0..few.robot.joints.len()).filter(turning).collect();
-        let (mut own, mut rivals) = (Vec::new(), left.waves(few, 1.0));
+        let (mut own, mut rivals) = (Vec::new(), residuals.waves(few, 1.0));
         for &joint in &joints {
-            let motion = &left.joints[joint];
+            let motion = &residuals.joints[joint];
             for along in 0..3 {
                 let torques = torques_of_a_kilogram(few, joint, along);
-                rivals.push(left.times(motion, |i| torques[i]));
-                own.push(left.times(motion, |i| torques[i] * load[i]));
+                rivals.push(residuals.times(motion, |i| torques[i]));
+                own.push(residuals.times(motion, |i| torques[i] * load[i]));
             }
         }
-        let beside = Beside::of(left, &rivals)?;
+        let projected = Projected::of(residuals, &rivals)?;
         // A foundation that tilts and gives under the load's moment, whatever its springs.
         let at = |i: usize, axis: usize| few.samples.coordinates(i)[axis] * load[i];
-        let gives = (0..18).map(|k| left.column(|i| left.frame[i][k / 3] * at(i, k % 3)));
-        let foundation = beside.with(&gives.collect::<Vec<_>>()).1;
-        let dilution = beside.dilution(&beside.own(&own));
-        let own: Vec<_> = own.iter().map(|c| beside.basis.reject(c)).collect();
+        let gives = (0..18).map(|k| residuals.column(|i| residuals.frame[i][k / 3] * at(i, k % 3)));
+        let foundation = projected.with(&gives.collect::<Vec<_>>()).1;
+        let dilution = projected.dilution(&projected.own(&own));
+        let own: Vec<_> = own.iter().map(|c| projected.basis.reject(c)).collect();
         let own = DMatrix::from_columns(&own);
         Some(Self {
             gram: own.tr_mul(&own),
-            pull: own.tr_mul(&beside.free),
-            beside,
+            pull: own.tr_mul(&projected.free),
+            projected,
             dilution,
             joints: joints.len(),
             foundation,
@@ -137,7 +137,7 @@ impl<'a> Sag<'a> {
         if given_way <= 0.0 {
             return 0.0;
         }
-        self.beside.nats(gains.sum(), self.joints + angles) / self.dilution
+        self.projected.nats(gains.sum(), self.joints + angles) / self.dilution
     }
 
     /// The likeliest direction; `None` where none is likelier than no compliance.

@@ -29,7 +29,9 @@ use super::changes::{Change, changes, frame_is_free, is_of_one_coordinate};
 use super::fits::{is_small_turn, share_within, thinned, trial};
 use super::nearest::Nominal;
 use super::several::several;
-use super::thresholds::{EQUAL, FEWEST_SAMPLES, HALF, MENDED_SHARE, NEARLY_ALL, PLAUSIBLE_SHARE};
+use super::thresholds::{
+    CORRECTED_SHARE, EQUAL, FEWEST_SAMPLES, HALF, NEARLY_ALL, PLAUSIBLE_SHARE,
+};
 
 /// Samples that a trial looks at.
 const MOST_SAMPLES: usize = 120;
@@ -63,10 +65,10 @@ pub(super) fn of_all_rows(session: &Session, values: JointValues) -> Vec<DataPro
 }
 
 /// A session with these changes.
-fn changed(part: &Session, mends: &[SessionCorrection]) -> Session {
+fn changed(part: &Session, corrections: &[SessionCorrection]) -> Session {
     let mut changed = part.clone();
-    for mend in mends {
-        mend.apply(&mut changed);
+    for correction in corrections {
+        correction.apply(&mut changed);
     }
     changed
 }
@@ -103,7 +105,7 @@ impl<'a> Judge<'a> {
             values,
             share,
             before_mm,
-            most_mm: (MENDED_SHARE * before_mm).min(PLAUSIBLE_SHARE * spread),
+            most_mm: (CORRECTED_SHARE * before_mm).min(PLAUSIBLE_SHARE * spread),
             moves: nominal_mm(part, values).map(|along| {
                 let [low, high] = extent(&along);
                 high - low > GROSS_SHARE * part.robot.length_along_links_mm()
@@ -114,23 +116,24 @@ impl<'a> Judge<'a> {
     /// The change that explains the samples, or the two, or many.
     fn likeliest(&self) -> Vec<DataProblem> {
         let tried = self.tried(self.part);
-        if let Some((_, mends, problem)) = self.named(&tried) {
-            return if self.predicts(self.part, &mends) {
+        if let Some((_, corrections, problem)) = self.named(&tried) {
+            return if self.predicts(self.part, &corrections) {
                 vec![problem]
             } else {
                 Vec::new()
             };
         }
-        let single = tried
-            .iter()
-            .filter(|(change, left)| *left < self.before_mm && change.mends.len() == 1);
+        let single = tried.iter().filter(|(change, residual_mm)| {
+            *residual_mm < self.before_mm && change.corrections.len() == 1
+        });
         let mut nearest: Vec<&Tried> = single.collect();
         nearest.sort_by(|a, b| a.1.total_cmp(&b.1));
-        let with_another = |(first, left): &Tried| {
-            let without = changed(self.part, &first.mends);
-            let (least, mends, second) = self.named(&self.tried(&without))?;
-            let both = vec![self.problem(first, &[], *left), second];
-            self.predicts(&without, &mends).then_some((least, both))
+        let with_another = |(first, residual_mm): &Tried| {
+            let without = changed(self.part, &first.corrections);
+            let (least, corrections, second) = self.named(&self.tried(&without))?;
+            let both = vec![self.problem(first, &[], *residual_mm), second];
+            self.predicts(&without, &corrections)
+                .then_some((least, both))
         };
         let pairs = nearest
             .into_iter()
@@ -146,18 +149,18 @@ impl<'a> Judge<'a> {
     /// Every change that ends where a robot may be.
     fn tried(&self, part: &Session) -> Vec<Tried> {
         let all = changes(part, self.values).into_iter().filter_map(|change| {
-            let then = changed(part, &change.mends);
+            let then = changed(part, &change.corrections);
             // One coordinate that is too small leaves the others as they are: no robot follows it.
-            let of_one = change.mends.iter().any(is_of_one_coordinate);
+            let of_one = change.corrections.iter().any(is_of_one_coordinate);
             if !of_one && !is_to_scale(part, &then, self.values) {
                 return None;
             }
             // What no motion changes has no unit that shows.
-            let still = |mend: &SessionCorrection| match mend {
+            let still = |correction: &SessionCorrection| match correction {
                 SessionCorrection::ScaleCoordinate { axis, .. } => !self.moves[*axis],
                 _ => false,
             };
-            if change.mends.iter().any(still) {
+            if change.corrections.iter().any(still) {
                 return None;
             }
             let end = trial(&then, self.values, frame_is_free(part))?;
@@ -183,16 +186,20 @@ impl<'a> Judge<'a> {
             return None;
         }
         // The list begins with what is simplest.
-        let (main, left) = tried
+        let (main, residual_mm) = tried
             .iter()
-            .find(|(c, left)| *left <= EQUAL * least && c.mends.len() == 1)?;
-        let same = |(c, left): &&Tried| *left <= ALIKE * least && c.what != main.what;
+            .find(|(c, residual_mm)| *residual_mm <= EQUAL * least && c.corrections.len() == 1)?;
+        let same = |(c, residual_mm): &&Tried| *residual_mm <= ALIKE * least && c.what != main.what;
         let twins: Vec<Text> = tried
             .iter()
             .filter(same)
             .map(|(c, _)| c.what.clone())
             .collect();
-        Some((*left, main.mends.clone(), self.problem(main, &twins, *left)))
+        Some((
+            *residual_mm,
+            main.corrections.clone(),
+            self.problem(main, &twins, *residual_mm),
+        ))
     }
 
     fn problem(&self, change: &Change, twins: &[Text], after_mm: f64) -> DataProblem {
@@ -213,19 +220,21 @@ impl<'a> Judge<'a> {
                 )
             },
             change.proposal.clone(),
-            change.mends.first().cloned(),
+            change.corrections.first().cloned(),
         )
     }
 
     /// Conventions that differ in many joints at once, each as a mistake of its own.
     fn many(&self) -> Vec<DataProblem> {
         let changes = several(self.part, self.values, self.most_mm);
-        let mends: Vec<SessionCorrection> = changes.iter().flat_map(|c| c.mends.clone()).collect();
-        let corrected = changed(self.part, &mends);
+        let corrections: Vec<SessionCorrection> =
+            changes.iter().flat_map(|c| c.corrections.clone()).collect();
+        let corrected = changed(self.part, &corrections);
         let end = trial(&corrected, self.values, true).filter(|end| {
             end.within_mm(HALF) <= self.most_mm && is_plausible(&corrected, &end.model)
         });
-        let Some(end) = end.filter(|_| !mends.is_empty() && self.predicts(self.part, &mends))
+        let Some(end) =
+            end.filter(|_| !corrections.is_empty() && self.predicts(self.part, &corrections))
         else {
             return Vec::new();
         };
@@ -236,16 +245,16 @@ impl<'a> Judge<'a> {
             count = changes.len()
         );
         let problem = |change: Change| {
-            let mend = change.mends.into_iter().next();
-            DataProblem::of_all(change.what, evidence.clone(), change.proposal, mend)
+            let correction = change.corrections.into_iter().next();
+            DataProblem::of_all(change.what, evidence.clone(), change.proposal, correction)
         };
         changes.into_iter().map(problem).collect()
     }
 
     /// Whether a change predicts samples that its trial has not seen, the compared share of them to within what it may
     /// leave.
-    fn predicts(&self, part: &Session, mends: &[SessionCorrection]) -> bool {
-        let changed = changed(part, mends);
+    fn predicts(&self, part: &Session, corrections: &[SessionCorrection]) -> bool {
+        let changed = changed(part, corrections);
         let n = changed.samples.len();
         if n < FEWEST_TO_SPLIT {
             return true;
@@ -256,18 +265,18 @@ impl<'a> Judge<'a> {
         };
         let unseen = half(1);
         trial(&half(0), self.values, frame_is_free(part)).is_some_and(|end| {
-            let left_mm = lengths_mm(&Problem::new(&unseen, self.values), &end.model);
+            let residual_mm = lengths_mm(&Problem::new(&unseen, self.values), &end.model);
             // What may be left is told in the units of the samples as they stand.
             let scale = (1.0 / shrunk(part, &changed)).max(1.0);
-            share_within(left_mm, self.share) <= UNSEEN * self.most_mm * scale
+            share_within(residual_mm, self.share) <= UNSEEN * self.most_mm * scale
         })
     }
 }
 
 /// A median error in words; it is infinite where nothing fits.
-fn in_words(left_mm: f64) -> Text {
-    if left_mm.is_finite() {
-        length(left_mm, 3)
+fn in_words(residual_mm: f64) -> Text {
+    if residual_mm.is_finite() {
+        length(residual_mm, 3)
     } else {
         text!("far beyond what a fit could explain")
     }
@@ -373,7 +382,7 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
         tilt.norm() > rad_from_deg(LEAST_TURN_DEG) || (to - point).norm() > LEAST_MOVE_MM
     };
     let gross = fixed_mm > GROSS_SHARE * part.samples.spread_mm();
-    if !far || !gross || free_mm > MENDED_SHARE * fixed_mm {
+    if !far || !gross || free_mm > CORRECTED_SHARE * fixed_mm {
         return None;
     }
     let about_axis = is_turned

@@ -6,11 +6,10 @@
 //! what it was and only then makes sense for a robot. The search goes on with the mended session.
 
 mod changes;
+mod examined;
 mod fits;
 mod gravity;
 mod groups;
-mod left;
-mod looked;
 mod losses;
 mod mistakes;
 mod motor_values;
@@ -20,6 +19,7 @@ mod orientations;
 mod parts;
 mod read_back;
 mod refraction;
+mod residuals;
 mod rows;
 mod settling;
 mod several;
@@ -58,11 +58,11 @@ fn has_enough_points(session: &Session, joint_values: JointValues) -> bool {
 ///
 /// A session that cannot be computed with ([`Session::checked`] says why) stays as it is.
 pub fn corrected_session(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
-    CorrectedSession::of_whole(raw, |raw| mended(raw, joint_values))
+    CorrectedSession::of_whole(raw, |raw| corrected(raw, joint_values))
 }
 
 /// The same of a session that is whole.
-pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
+pub(crate) fn corrected(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
     without_mistakes(raw, joint_values, true)
 }
 

@@ -71,7 +71,7 @@ impl<'a> Nominal<'a> {
             let motion = motion(&own)?;
             Some(
                 own.iter()
-                    .map(|pair| left(&motion, pair))
+                    .map(|pair| distance(&motion, pair))
                     .collect::<Vec<_>>(),
             )
         });
@@ -91,7 +91,7 @@ impl<'a> Nominal<'a> {
 
     /// Root mean square of what predictions with these inputs leave, mm, without the samples that are farthest off;
     /// `mirrored`: of the points in a mirror. Of points in a plane nothing is said.
-    pub(super) fn left_mm(&self, inputs: &Inputs, mirrored: bool) -> f64 {
+    pub(super) fn residual_mm(&self, inputs: &Inputs, mirrored: bool) -> f64 {
         let mut pairs = self.pairs(inputs);
         if mirrored {
             for (_, measured) in &mut pairs {
@@ -102,7 +102,7 @@ impl<'a> Nominal<'a> {
             let motion = rigid_motion(own)?;
             Some(
                 own.iter()
-                    .map(|pair| left(&motion, pair).powi(2))
+                    .map(|pair| distance(&motion, pair).powi(2))
                     .collect::<Vec<_>>(),
             )
         };
@@ -159,14 +159,14 @@ pub(super) fn motion(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Isometry3
         if kept >= pairs.len() {
             break;
         }
-        near.sort_by(|a, b| left(&motion, a).total_cmp(&left(&motion, b)));
+        near.sort_by(|a, b| distance(&motion, a).total_cmp(&distance(&motion, b)));
         motion = rigid_motion(&near[..kept])?;
     }
     Some(motion)
 }
 
 /// How far a pair is apart, mm.
-pub(super) fn left(motion: &Isometry3<f64>, pair: &(Vector3<f64>, Vector3<f64>)) -> f64 {
+pub(super) fn distance(motion: &Isometry3<f64>, pair: &(Vector3<f64>, Vector3<f64>)) -> f64 {
     (moved(motion, &pair.0) - pair.1).norm()
 }
 

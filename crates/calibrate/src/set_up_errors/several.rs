@@ -131,7 +131,7 @@ struct Judge<'a> {
 
 impl Judge<'_> {
     /// Root mean square of what a choice leaves, mm, without the samples that are farthest off.
-    fn left_mm(&self, choice: &Choice) -> f64 {
+    fn residual_mm(&self, choice: &Choice) -> f64 {
         let mut inputs = self.nominal.inputs.clone();
         let raw = |joint: usize| &self.nominal.inputs.q[choice.columns[joint]];
         for (joint, own) in choice.joints.iter().enumerate() {
@@ -143,7 +143,7 @@ impl Judge<'_> {
             let values = values.map(|(q, before)| factor * (q + share * before) + turn);
             inputs.q[joint] = Cow::Owned(values.collect());
         }
-        self.nominal.left_mm(&inputs, choice.mirrored)
+        self.nominal.residual_mm(&inputs, choice.mirrored)
     }
 
     /// What is chosen with every choice of these joints.
@@ -183,7 +183,7 @@ impl Judge<'_> {
     /// The choice in which no two joints can be changed for the better.
     fn descended(&self, start: Choice) -> (Choice, f64) {
         let n = start.joints.len();
-        let mut best = (self.left_mm(&start), start);
+        let mut best = (self.residual_mm(&start), start);
         loop {
             let before = best.0;
             for first in 0..n {
@@ -191,9 +191,9 @@ impl Judge<'_> {
                     let mut tried = self.every(&best.1, &[first, second]);
                     tried.extend(self.exchanged(&best.1, first, second));
                     for choice in tried {
-                        let left = self.left_mm(&choice);
-                        if left < best.0 {
-                            best = (left, choice);
+                        let residual_mm = self.residual_mm(&choice);
+                        if residual_mm < best.0 {
+                            best = (residual_mm, choice);
                         }
                     }
                 }
@@ -207,12 +207,14 @@ impl Judge<'_> {
 
     /// The same with as few mistakes as explain the samples as well: a wrist's middle joint that counts the other
     /// way round is both neighbours' homes by 180°.
-    fn simplest(&self, choice: Choice, left_mm: f64) -> Choice {
+    fn simplest(&self, choice: Choice, residual_mm: f64) -> Choice {
         let n = choice.joints.len();
         let mut now = choice;
         for first in 0..n.saturating_sub(2) {
             for other in self.every(&now, &[first, first + 1, first + 2]) {
-                if other.mistakes() < now.mistakes() && self.left_mm(&other) <= EQUAL * left_mm {
+                if other.mistakes() < now.mistakes()
+                    && self.residual_mm(&other) <= EQUAL * residual_mm
+                {
                     now = other;
                 }
             }
@@ -253,9 +255,9 @@ pub(super) fn several(part: &Session, values: JointValues, most_mm: f64) -> Vec<
         starts.push(start);
     }
     for start in starts {
-        let (choice, left) = judge.descended(start);
-        if left < most_mm {
-            return judge.simplest(choice, left).changes(part);
+        let (choice, residual_mm) = judge.descended(start);
+        if residual_mm < most_mm {
+            return judge.simplest(choice, residual_mm).changes(part);
         }
     }
     Vec::new()

@@ -7,8 +7,8 @@
 
 use nalgebra::Vector3;
 
-use super::left::Beside;
-use super::looked::{Looked, Unstated};
+use super::examined::{Examined, Unstated};
+use super::residuals::Projected;
 use super::rows::Part;
 use super::thresholds::LIKELIER;
 use crate::answers::diagnosis::DataProblem;
@@ -19,15 +19,18 @@ use crate::sessions::{Group, Session, SessionCorrection};
 const LARGEST: f64 = 2e-3;
 
 /// The station whose scale differs most clearly.
-pub(super) fn differs(session: &Session, _: JointValues, looked: &Looked) -> Option<Unstated> {
-    let Looked { rows, left, .. } = looked;
+pub(super) fn differs(session: &Session, _: JointValues, examined: &Examined) -> Option<Unstated> {
+    let Examined {
+        rows, residuals, ..
+    } = examined;
     let names = &session.samples.setups.as_ref()?.names;
-    let beside = Beside::of(left, &looked.waves())?;
+    let projected = Projected::of(residuals, &examined.waves())?;
     let scale = |station: usize| {
         let part = Part::Group(Group::Setup, station);
         let is_own = rows.mask(session, part);
-        let of_row = |i: usize| Vector3::from(left.expected[i]) * f64::from(u8::from(is_own[i]));
-        let (by, nats) = beside.with(&[left.column(of_row)]);
+        let of_row =
+            |i: usize| Vector3::from(residuals.expected[i]) * f64::from(u8::from(is_own[i]));
+        let (by, nats) = projected.with(&[residuals.column(of_row)]);
         (
             nats - LIKELIER - (names.len() as f64).ln(),
             part,

@@ -9,7 +9,7 @@ pub(super) const FEWEST_SAMPLES: usize = 6;
 /// paid for.
 pub(super) const EVIDENCE: f64 = 30.0;
 /// The gap has to fall to less than this.
-pub(super) const MENDED_SHARE: f64 = 0.2;
+pub(super) const CORRECTED_SHARE: f64 = 0.2;
 /// No joint is calibrated with a zero offset larger than this; its home is a quarter turn off.
 pub(super) const LARGEST_OFFSET_DEG: f64 = 45.0;
 /// No link is longer or shorter than it should be by more than this share of the robot's reach; one

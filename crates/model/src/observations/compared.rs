@@ -16,7 +16,7 @@ pub struct ComparedObservation {
     /// The sample.
     pub sample: usize,
     /// Measured − predicted, and its derivatives.
-    pub left: Residual,
+    pub residual: Residual,
     /// Where its target is, mm.
     point: Vector3<f64>,
     /// The tool's axes in the measuring frame.
@@ -29,15 +29,17 @@ impl ComparedObservation {
     pub fn by(&self, group: Group) -> [[f64; MOST]; 3] {
         std::array::from_fn(|row| match group {
             Group::Target => {
-                let along = self.turn.tr_mul(&Vector3::from(self.left.by_point[row]));
+                let along = self
+                    .turn
+                    .tr_mul(&Vector3::from(self.residual.by_point[row]));
                 [along.x, along.y, along.z, 0.0, 0.0, 0.0]
             }
             Group::Setup => {
-                let along = Vector3::from(self.left.by_point[row]);
+                let along = Vector3::from(self.residual.by_point[row]);
                 let about = self.point.cross(&along);
                 [about.x, about.y, about.z, along.x, along.y, along.z]
             }
-            _ => self.left.by_place[row],
+            _ => self.residual.by_place[row],
         })
     }
 }
@@ -64,7 +66,7 @@ pub fn compared_with(
         .collect();
     let rows = layer.weighed(model);
     let mut all = Vec::with_capacity(rows.len());
-    for (item, left) in rows.into_iter().enumerate() {
+    for (item, residual) in rows.into_iter().enumerate() {
         if !layer.fit[item] {
             continue;
         }
@@ -72,7 +74,7 @@ pub fn compared_with(
         let axis = |along: usize| Vector3::from(turned[along][item]) - point;
         all.push(ComparedObservation {
             sample: layer.items[item].sample,
-            left,
+            residual,
             point,
             turn: Matrix3::from_columns(&[axis(0), axis(1), axis(2)]),
         });

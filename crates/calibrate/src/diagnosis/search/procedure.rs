@@ -42,7 +42,7 @@ pub(crate) fn checked<'a>(
     if !watch(&Progress::Checking) && !options.keep_when_stopped {
         return Err(Cancelled);
     }
-    Ok(set_up_errors::mended(session, options.joint_values))
+    Ok(set_up_errors::corrected(session, options.joint_values))
 }
 
 /// The whole search, in five steps, of a session made ready ([`prepared`]). A step may be cut short where the work that it may cost is done ([`Work`]) or the

@@ -33,7 +33,7 @@ use crate::set_up_errors::CorrectedSession;
 
 /// The answer of the end of a search.
 pub(crate) fn answer(
-    mended: &CorrectedSession,
+    corrected: &CorrectedSession,
     prepared: &PreparedSearch,
     end: &SearchEnd,
     planner: Planner,
@@ -45,7 +45,7 @@ pub(crate) fn answer(
             .ok_or(DiagnoseError::Cancelled)
     };
     go_on(Progress::Comparing)?;
-    let (session, regression) = (&mended.session, &prepared.regression);
+    let (session, regression) = (&corrected.session, &prepared.regression);
     let named = Named::of(prepared, end);
     let floor = floor(prepared, &named.handed_out);
     let figures = &named.figures;
@@ -80,7 +80,7 @@ pub(crate) fn answer(
         &floor,
         &with.figures.gap,
         &identification,
-        &mended.problems,
+        &corrected.problems,
     );
     if let Some(why) = gross {
         tell_gross(why, with.figures.gap.end_mm, &mut left);
@@ -90,7 +90,7 @@ pub(crate) fn answer(
         samples: session.samples.len(),
         verdict: judgement::of(found.is_empty(), left.present),
         data_problems: [
-            &*mended.problems,
+            &*corrected.problems,
             prepared.incomplete.as_slice(),
             open.equal_steps.as_slice(),
             identification.many_set_aside().as_slice(),

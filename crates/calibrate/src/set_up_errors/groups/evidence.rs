@@ -5,7 +5,7 @@ use crate::text::Text;
 use crate::text::length;
 
 /// The share of the error that a place that is elsewhere has to leave.
-pub(super) const LEAVES: f64 = 0.6;
+pub(super) const RESIDUAL_SHARE: f64 = 0.6;
 
 /// Of more places than these the trials, each a fit of all of them, would take longer than the answer.
 pub(super) const MOST_PLACES: usize = 64;
@@ -24,8 +24,8 @@ pub(in crate::set_up_errors) fn evidence(
 }
 
 /// Whether that is enough for belief, where no more than this share of the error may be left.
-pub(super) fn is_believed(evidence: f64, before_mm: f64, after_mm: f64, leaves: f64) -> bool {
-    evidence > EVIDENCE && after_mm < leaves * before_mm
+pub(super) fn is_believed(evidence: f64, before_mm: f64, after_mm: f64, share: f64) -> bool {
+    evidence > EVIDENCE && after_mm < share * before_mm
 }
 
 pub(super) fn in_numbers(before_mm: f64, after_mm: f64) -> Text {

@@ -39,12 +39,12 @@ pub(super) fn elsewhere(session: &Session, values: JointValues) -> Vec<DataProbl
         let Some(placed) = placed::placed(&now, values) else {
             break;
         };
-        for mend in placed
+        for correction in placed
             .problems
             .iter()
             .filter_map(|problem| problem.mend.as_ref())
         {
-            mend.apply(&mut now);
+            correction.apply(&mut now);
         }
         problems.extend(placed.problems);
         if !placed.is_renamed {

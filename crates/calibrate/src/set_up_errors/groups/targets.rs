@@ -13,9 +13,9 @@ use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, components, length};
 
 use super::evidence::MOST_PLACES;
-use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
+use super::evidence::{RESIDUAL_SHARE, evidence, in_numbers, is_believed};
 use crate::set_up_errors::fits::{fitted, fitted_from, some_samples};
-use crate::set_up_errors::thresholds::{GROSS_SHARE, MENDED_SHARE};
+use crate::set_up_errors::thresholds::{CORRECTED_SHARE, GROSS_SHARE};
 
 /// A place is off beyond so many standard deviations of what is known of it.
 const OFF: f64 = 4.0;
@@ -34,7 +34,7 @@ pub(super) struct Contradicted {
     /// What it fits, and what that leaves and the session as it stands, mm.
     pub(super) model: Model,
     pub(super) before_mm: f64,
-    pub(super) left_mm: f64,
+    pub(super) residual_mm: f64,
 }
 
 /// The targets of a single axis that are elsewhere.
@@ -73,8 +73,12 @@ pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Con
     // A robot that is this far off is one with a wrong unit that free places would only hide, unless next to
     // nothing is left with them.
     let gross = GROSS_SHARE * part.robot.length_along_links_mm();
-    let leaves = if before > gross { MENDED_SHARE } else { LEAVES };
-    if !is_believed(evidence, before, after, leaves) || after > gross {
+    let share = if before > gross {
+        CORRECTED_SHARE
+    } else {
+        RESIDUAL_SHARE
+    };
+    if !is_believed(evidence, before, after, share) || after > gross {
         return None;
     }
     if turned_mm(&stated, values).is_some_and(|turned| turned < AS_WELL * after) {
@@ -86,20 +90,20 @@ pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Con
         session: free,
         model,
         before_mm: before,
-        left_mm: after,
+        residual_mm: after,
     })
 }
 
 /// What the base model leaves with every target where the session says, mm.
 fn as_stated_mm(part: &Session, values: JointValues) -> Option<f64> {
-    left_mm(part, values, |start| {
+    residual_mm(part, values, |start| {
         start.without(|t| t.effect.about().setting == Setting::Target && t.setting > 0.0)
     })
 }
 
 /// What it leaves where the tool is mounted turned, mm.
 fn turned_mm(part: &Session, values: JointValues) -> Option<f64> {
-    left_mm(part, values, |start| {
+    residual_mm(part, values, |start| {
         let start =
             start.without(|t| t.effect.about().setting == Setting::Target && t.setting > 0.0);
         let id = TOOL_ORIENTATION.about().id;
@@ -111,7 +115,11 @@ fn turned_mm(part: &Session, values: JointValues) -> Option<f64> {
     })
 }
 
-fn left_mm(part: &Session, values: JointValues, change: impl Fn(Model) -> Model) -> Option<f64> {
+fn residual_mm(
+    part: &Session,
+    values: JointValues,
+    change: impl Fn(Model) -> Model,
+) -> Option<f64> {
     Some(fitted_from(part, values, change)?.1)
 }
 
@@ -131,22 +139,23 @@ fn of_one_axis(
     if off.is_empty() {
         return None;
     }
-    let mend = |(target, by): &(usize, Vector3<f64>)| SessionCorrection::MoveTarget {
+    let correction = |(target, by): &(usize, Vector3<f64>)| SessionCorrection::MoveTarget {
         target: *target,
         by_mm: (*by).into(),
     };
     let mut moved = part.clone();
     for one in &off {
-        mend(one).apply(&mut moved);
+        correction(one).apply(&mut moved);
     }
     let (_, after) = fitted(&moved, values)?;
     let axes = part.samples.axes();
     let evidence = evidence(part.samples.len(), axes, before, after, axes * off.len());
     let of_target = |one: &(usize, Vector3<f64>)| {
         let numbers = in_numbers(before, after);
-        problem(session, one.0, one.1, numbers, mend(one))
+        problem(session, one.0, one.1, numbers, correction(one))
     };
-    is_believed(evidence, before, after, LEAVES).then(|| off.iter().map(of_target).collect())
+    is_believed(evidence, before, after, RESIDUAL_SHARE)
+        .then(|| off.iter().map(of_target).collect())
 }
 
 /// How far each target is from its place, tool frame, mm, beside the base model: as few as possible are
@@ -217,7 +226,7 @@ pub(in crate::set_up_errors) fn problem(
     target: usize,
     by: Vector3<f64>,
     evidence: Text,
-    mend: SessionCorrection,
+    correction: SessionCorrection,
 ) -> DataProblem {
     let name = session.targets.get(target).map_or("", |t| t.name.as_str());
     let size = by.norm();
@@ -233,7 +242,7 @@ pub(in crate::set_up_errors) fn problem(
             "its place is fitted (moved by {by}); measure it, or state in the session how certain it is",
             by = components(by.into(), 3)
         ),
-        mend: Some(mend),
+        mend: Some(correction),
         samples: samples
             .filter(|(_, own)| **own as usize == target)
             .map(|(row, _)| row)

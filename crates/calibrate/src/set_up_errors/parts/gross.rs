@@ -23,7 +23,7 @@ use crate::text::{Text, length};
 use crate::set_up_errors::changes::{Change, of_rows};
 use crate::set_up_errors::fits;
 use crate::set_up_errors::groups::{self, evidence};
-use crate::set_up_errors::nearest::{Nominal, Pair, cost, cost_of, left, motion};
+use crate::set_up_errors::nearest::{Nominal, Pair, cost, cost_of, distance, motion};
 use crate::set_up_errors::rows::{Part, RowsInOrder};
 use crate::set_up_errors::thresholds::{EQUAL, EVIDENCE, GROSS_SHARE, PLAUSIBLE_SHARE};
 
@@ -67,12 +67,15 @@ struct Seen {
 }
 
 impl Seen {
-    fn of(part: &Session, values: JointValues, mends: &[SessionCorrection]) -> Self {
+    fn of(part: &Session, values: JointValues, corrections: &[SessionCorrection]) -> Self {
         let mut changed = part.clone();
         let mut ln_volume = 0.0;
-        for mend in mends.iter().filter(|mend| !is_frame(mend)) {
-            mend.apply(&mut changed);
-            ln_volume += match mend {
+        for correction in corrections
+            .iter()
+            .filter(|correction| !is_frame(correction))
+        {
+            correction.apply(&mut changed);
+            ln_volume += match correction {
                 SessionCorrection::ScaleLengths(factor) => 3.0 * factor.ln(),
                 SessionCorrection::ScaleCoordinate { factor, .. } => factor.ln(),
                 _ => 0.0,
@@ -86,8 +89,8 @@ impl Seen {
     }
 }
 
-fn is_frame(mend: &SessionCorrection) -> bool {
-    *mend == SessionCorrection::FreeFrame
+fn is_frame(correction: &SessionCorrection) -> bool {
+    *correction == SessionCorrection::FreeFrame
 }
 
 /// A change in a part of the rows, and what it costs.
@@ -176,16 +179,16 @@ impl<'a> Search<'a> {
             motion(&here.collect::<Vec<_>>())
         };
         let motions: Motions = (0..2 * self.setups).map(of_frame).collect();
-        let length = |k: usize| motions[frame(k)].map_or(0.0, |motion| left(&motion, &pair(k)));
+        let length = |k: usize| motions[frame(k)].map_or(0.0, |motion| distance(&motion, &pair(k)));
         ((0..mask.len()).map(length).collect(), motions)
     }
 
     fn is_frame(&self, change: usize) -> bool {
-        self.changes[change].mends.iter().any(is_frame)
+        self.changes[change].corrections.iter().any(is_frame)
     }
 
     fn seen(&self, change: usize) -> Seen {
-        Seen::of(&self.few, self.values, &self.changes[change].mends)
+        Seen::of(&self.few, self.values, &self.changes[change].corrections)
     }
 
     /// What a change costs in a part, with the logarithm of how many there are to choose from, and of the six numbers of
@@ -246,7 +249,7 @@ impl<'a> Search<'a> {
         let (mask, after, before) = loop {
             let mask = self.rows.mask(self.session, trial.part);
             let (lengths, motions) = self.lengths(&seen, &mask, own);
-            let far = |motion: Option<Isometry3<f64>>, pair: &Pair| Some(left(&motion?, pair));
+            let far = |motion: Option<Isometry3<f64>>, pair: &Pair| Some(distance(&motion?, pair));
             let of_row = |k: usize| {
                 let there = self.setup[k] + if own { self.setups } else { 0 };
                 let stands = far(motions[self.setup[k]], &self.as_it_stands.pairs[k])?;
@@ -304,7 +307,7 @@ impl<'a> Search<'a> {
                 "{proposal}; these samples are corrected, and commands that go out are not",
                 proposal = &change.proposal
             ),
-            mend: in_rows(&rows, change.mends.first()?),
+            mend: in_rows(&rows, change.corrections.first()?),
             rows,
             target: None,
             order: trial.change,
@@ -326,7 +329,7 @@ impl<'a> Search<'a> {
             let (lengths, motions) = self.lengths(&self.as_it_stands, &mask, true);
             let stands = |k: usize| {
                 let motion = motions[self.setup[k]];
-                motion.map_or(f64::INFINITY, |m| left(&m, &self.as_it_stands.pairs[k]))
+                motion.map_or(f64::INFINITY, |m| distance(&m, &self.as_it_stands.pairs[k]))
             };
             let [others, own] = [
                 typical(&mask, false, |k| lengths[k]),
@@ -390,10 +393,10 @@ impl<'a> Search<'a> {
     fn told_apart(&self, candidates: Vec<Candidate>) -> Option<Vec<DataProblem>> {
         let (rows, axes) = (self.rows.len(), self.few.samples.axes());
         let few = fits::some_samples(self.session);
-        let fitted = |mends: &[&SessionCorrection]| {
+        let fitted = |corrections: &[&SessionCorrection]| {
             let mut changed = self.session.clone();
-            for mend in mends {
-                mend.apply(&mut changed);
+            for correction in corrections {
+                correction.apply(&mut changed);
             }
             fits::fitted(&fits::some_samples(&changed), self.values)
         };
@@ -406,15 +409,15 @@ impl<'a> Search<'a> {
             let group = Group::Target;
             let free = SessionCorrection::Free { group, index };
             let (_, elsewhere) = fitted(&[&free])?;
-            let (model, left) = fitted(&[&candidate.mend, &free])?;
+            let (model, residual_mm) = fitted(&[&candidate.mend, &free])?;
             let mut own = own_parts(&model).into_iter();
             let by = own
                 .find(|own| own.0 == index)
                 .map_or(Vector3::zeros(), |own| own.1);
             let known = self.session.instrument.targets_sigma_mm.is_some();
             let off = (known && by.norm() > self.gross_mm()).then_some((index, by, free));
-            let likelier = evidence(rows, axes, elsewhere, left, 0) > EVIDENCE;
-            likelier.then_some((left, candidate, off))
+            let likelier = evidence(rows, axes, elsewhere, residual_mm, 0) > EVIDENCE;
+            likelier.then_some((residual_mm, candidate, off))
         };
         let mut fitted: Vec<_> = candidates.into_iter().filter_map(with).collect();
         let least = fitted.iter().map(|one| one.0).min_by(f64::total_cmp)?;
@@ -424,9 +427,9 @@ impl<'a> Search<'a> {
         fitted.retain(|one| one.0 <= EQUAL * least);
         fitted.sort_by_key(|one| one.1.order);
         let mut fitted = fitted.into_iter();
-        let (left_mm, main, off) = fitted.next()?;
+        let (residual_mm, main, off) = fitted.next()?;
         let twins: Vec<Text> = fitted.map(|one| one.1.what).collect();
-        let evidence = corrected_in_numbers(before, left_mm);
+        let evidence = corrected_in_numbers(before, residual_mm);
         let of_target = off.map(|(index, by, free)| {
             groups::target_elsewhere(self.session, index, by, evidence.clone(), free)
         });

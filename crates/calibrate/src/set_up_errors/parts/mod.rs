@@ -65,8 +65,8 @@ mod tests {
 
     fn corrected(session: &Session, problems: &[DataProblem]) -> Session {
         let mut better = session.clone();
-        let mends = problems.iter().filter_map(|problem| problem.mend.as_ref());
-        mends.for_each(|mend| mend.apply(&mut better));
+        let corrections = problems.iter().filter_map(|problem| problem.mend.as_ref());
+        corrections.for_each(|correction| correction.apply(&mut better));
         better
     }
 

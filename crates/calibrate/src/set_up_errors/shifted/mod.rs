@@ -50,7 +50,7 @@ const MOST_ROWS: usize = 400;
 /// The logarithm by which a shift has to be likelier.
 const EVIDENCE: f64 = 25.0;
 /// What the rows that move leave afterwards, as a share of before.
-const MENDED_SHARE: f64 = 0.25;
+const CORRECTED_SHARE: f64 = 0.25;
 /// What a robot may leave once its rows are right, as a share of the size of the session.
 const PLAUSIBLE_SHARE: f64 = 0.02;
 /// A shift of all rows alike looks like a joint that lags: it is one where no robot lags so far.
@@ -210,7 +210,7 @@ impl Search<'_> {
         let (before, after) = (of_moved(as_it_is)?, of_moved(&end)?);
         let gross = end.path.changes.len() > 1 || end.path.changes[0].0 > 0;
         let believed = evidence > EVIDENCE
-            && after < MENDED_SHARE * before
+            && after < CORRECTED_SHARE * before
             && of_all(&end)? < PLAUSIBLE_SHARE * size
             && (gross || of_all(as_it_is)? > GROSS_SHARE * size);
         if !believed {
@@ -250,10 +250,10 @@ impl Search<'_> {
             before = length(before, 3),
             after = length(after, 3)
         );
-        let mend = SessionCorrection::PairRows(end.path.changes);
+        let correction = SessionCorrection::PairRows(end.path.changes);
         Some(DataProblem {
             samples: rows,
-            ..DataProblem::of_all(what, evidence, proposal, mend)
+            ..DataProblem::of_all(what, evidence, proposal, correction)
         })
     }
 }

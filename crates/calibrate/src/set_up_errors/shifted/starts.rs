@@ -84,9 +84,9 @@ pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points<'_>) ->
             others.reduce(f64::min)
         }));
         // Of the last rows alone a shift shows only beside what this robot leaves, not beside what any may leave.
-        let left = own.unwrap_or(sigma) / MEDIAN_LENGTH;
-        if path.is_none() && left < sigma {
-            path = likeliest(left.max(LEAST_SIGMA_MM)).0;
+        let own_mm = own.unwrap_or(sigma) / MEDIAN_LENGTH;
+        if path.is_none() && own_mm < sigma {
+            path = likeliest(own_mm.max(LEAST_SIGMA_MM)).0;
         }
         let clear = own
             .zip(shifted)

@@ -25,7 +25,7 @@ pub(super) const MOST: usize = 6;
 pub(super) type Motion = Vec<[Vector3<f64>; MOST]>;
 
 /// What the rows of a session leave, and the columns beside.
-pub(super) struct Left {
+pub(super) struct Residuals {
     pub(super) residual: DVector<f64>,
     pub(super) base: DMatrix<f64>,
     /// Of each joint, per unit.
@@ -47,7 +47,7 @@ pub(super) struct Left {
     filter: Option<Filter>,
 }
 
-impl Left {
+impl Residuals {
     /// With the base model fitted to these rows, and the root mean square of what that leaves, mm.
     pub(super) fn after_a_fit(few: &Session, values: JointValues) -> Option<(Self, f64)> {
         let (model, rms_mm) = fitted(few, values)?;
@@ -120,7 +120,7 @@ impl Left {
             .iter()
             .map(|axis| weights[*axis].sqrt().recip())
             .collect();
-        let mut left = Self {
+        let mut residuals = Self {
             residual,
             base,
             joints,
@@ -133,13 +133,13 @@ impl Left {
             scale,
             filter: None,
         };
-        left.whiten();
-        Some(left)
+        residuals.whiten();
+        Some(residuals)
     }
 
     /// The same where rows of a pose share what the robot does not repeat, as far as that shows beside some columns: they
     /// are one witness of what moves it.
-    pub(super) fn beside_poses(
+    pub(super) fn with_pose_noise(
         mut self,
         few: &Session,
         values: JointValues,
@@ -161,7 +161,7 @@ impl Left {
         let columns: Vec<_> = columns.iter().map(in_mm).collect();
         let stated = few.instrument.sigma_mm;
         let noise =
-            Noise::estimate(stated, &rows, &residual, &beside(&base, &columns)).made_white();
+            Noise::estimate(stated, &rows, &residual, &joined(&base, &columns)).made_white();
         let poses = rows.inputs.pose.as_deref();
         if let Some(poses) = poses.filter(|_| noise.joints_rad > 0.0) {
             let begins = |i: usize| i == 0 || poses[i] != poses[i - 1];
@@ -237,7 +237,7 @@ impl Left {
 }
 
 /// Columns side by side.
-pub(super) fn beside(base: &DMatrix<f64>, more: &[DVector<f64>]) -> DMatrix<f64> {
+pub(super) fn joined(base: &DMatrix<f64>, more: &[DVector<f64>]) -> DMatrix<f64> {
     let mut all = base
         .clone()
         .resize_horizontally(base.ncols() + more.len(), 0.0);
@@ -254,8 +254,8 @@ pub(super) fn beside(base: &DMatrix<f64>, more: &[DVector<f64>]) -> DMatrix<f64>
 }
 
 /// What is left beside the base model and other columns.
-pub(super) struct Beside<'a> {
-    left: &'a Left,
+pub(super) struct Projected<'a> {
+    residuals: &'a Residuals,
     pub(super) basis: Basis,
     /// Rows that are wrong in themselves count as what is usual.
     pub(super) free: DVector<f64>,
@@ -263,18 +263,18 @@ pub(super) struct Beside<'a> {
     freedom: f64,
 }
 
-impl<'a> Beside<'a> {
+impl<'a> Projected<'a> {
     /// `None` where no direction is left.
-    pub(super) fn of(left: &'a Left, columns: &[DVector<f64>]) -> Option<Self> {
-        let basis = Basis::new(&beside(&left.base, columns));
-        let free = basis.reject(&left.residual);
+    pub(super) fn of(residuals: &'a Residuals, columns: &[DVector<f64>]) -> Option<Self> {
+        let basis = Basis::new(&joined(&residuals.base, columns));
+        let free = basis.reject(&residuals.residual);
         let freedom = free.len().checked_sub(basis.rank()).filter(|n| *n > 0)? as f64;
         let usual = median(free.iter().map(|e| e.abs()))?;
         let free = free.map(|e| e.clamp(-WRONG * usual, WRONG * usual));
         let free = basis.reject(&free);
         let square = free.norm_squared();
         Some(Self {
-            left,
+            residuals,
             basis,
             free,
             square,
@@ -287,9 +287,9 @@ impl<'a> Beside<'a> {
     /// few it stays finite however little is left.
     pub(super) fn nats(&self, gain: f64, numbers: usize) -> f64 {
         let rows = self.free.len() as f64;
-        let left = (1.0 - gain / self.square).clamp(0.0, 1.0);
+        let share = (1.0 - gain / self.square).clamp(0.0, 1.0);
         let spent = self.freedom - numbers as f64;
-        0.5 * (spent * rows.ln_1p() - self.freedom * (rows * left).ln_1p())
+        0.5 * (spent * rows.ln_1p() - self.freedom * (rows * share).ln_1p())
     }
 
     /// The logarithm by which a column is likelier than none whose part of this square was taken out before.
@@ -316,15 +316,15 @@ impl<'a> Beside<'a> {
     /// By how much rows that follow one another say the same beside some columns: (1 + ρ)/(1 − ρ) with the correlation
     /// ρ of neighbours, at least 1.
     pub(super) fn dilution(&self, own: &Basis) -> f64 {
-        let left = own.reject(&self.free);
-        let n = self.left.n;
+        let residual = own.reject(&self.free);
+        let n = self.residuals.n;
         let of_axis = |a: usize| {
             (a * n + 1..(a + 1) * n)
-                .map(|row| left[row] * left[row - 1])
+                .map(|row| residual[row] * residual[row - 1])
                 .sum::<f64>()
         };
-        let product: f64 = (0..self.left.axes.len()).map(of_axis).sum();
-        let correlation = (product / left.norm_squared().max(1e-300)).clamp(0.0, 0.95);
+        let product: f64 = (0..self.residuals.axes.len()).map(of_axis).sum();
+        let correlation = (product / residual.norm_squared().max(1e-300)).clamp(0.0, 0.95);
         (1.0 + correlation) / (1.0 - correlation)
     }
 }
