@@ -31,9 +31,9 @@ fn orthonormal(columns: &DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>, Vec<bool>
         q *= inverse_of_lower(&factor).transpose();
         r = factor.transpose() * r;
     }
-    let is_left = |k: usize| !is_copy[k] && r[(k, k)] > DEPENDENT * columns.column(k).norm();
-    let is_left = (0..p).map(is_left).collect();
-    (q, r, is_left)
+    let is_independent = |k: usize| !is_copy[k] && r[(k, k)] > DEPENDENT * columns.column(k).norm();
+    let is_independent = (0..p).map(is_independent).collect();
+    (q, r, is_independent)
 }
 
 /// `A = Q R` on the columns that are independent.
@@ -53,11 +53,11 @@ impl Basis {
     pub fn new(a: &DMatrix<f64>) -> Self {
         let mut kept: Vec<usize> = (0..a.ncols()).collect();
         loop {
-            let (q, r, is_left) = orthonormal(&a.select_columns(&kept));
+            let (q, r, is_independent) = orthonormal(&a.select_columns(&kept));
             // Where little is left of a column the others are noise.
-            let left = kept.iter().zip(is_left).filter(|own| own.1);
-            let left: Vec<usize> = left.map(|own| *own.0).take(a.nrows()).collect();
-            if left.len() == kept.len() {
+            let independent = kept.iter().zip(is_independent).filter(|own| own.1);
+            let independent: Vec<usize> = independent.map(|own| *own.0).take(a.nrows()).collect();
+            if independent.len() == kept.len() {
                 let columns = a.ncols();
                 return Self {
                     q,
@@ -66,7 +66,7 @@ impl Basis {
                     columns,
                 };
             }
-            kept = left;
+            kept = independent;
         }
     }
 
@@ -76,7 +76,7 @@ impl Basis {
     }
 
     /// How much is left of each kept column beside those that were kept before it.
-    pub fn left(&self) -> impl Iterator<Item = f64> {
+    pub fn remaining_norms(&self) -> impl Iterator<Item = f64> {
         (0..self.rank()).map(|k| self.r[(k, k)])
     }
 

@@ -63,11 +63,11 @@ pub(super) fn verify_as_read(
         let drawn = compensation.nominal.predict(inputs);
         let expected = |i: usize| minus(drawn.get(i), moved.get(i));
         let with_table = measured_minus(session, &problem, &compensation, expected);
-        let left: Vec<f64> = left_over(&compensation, inputs)
+        let residuals: Vec<f64> = left_over(&compensation, inputs)
             .iter()
             .map(|v| crate::lanes::dot(*v, *v).sqrt())
             .collect();
-        let stays = Spread::of(&left, |i| problem.fit[i], |_| false);
+        let stays = Spread::of(&residuals, |i| problem.fit[i], |_| false);
         (with_table, stays.map_or(0.0, |s| s.rms_mm))
     });
     let compared = Compared {

@@ -112,11 +112,11 @@ fn step(model: &Model, session: &Session, problem: &Problem) -> Option<Vector3<f
             ];
             for (axis, measured) in measured.into_iter().enumerate() {
                 let Some(measured) = measured else { continue };
-                let left = measured - block.point[axis][i];
+                let residual = measured - block.point[axis][i];
                 let by = Vector3::from_fn(|c, _| block.columns[column + c][axis][i]);
-                if left.is_finite() {
+                if residual.is_finite() {
                     normal += by * by.transpose();
-                    downhill += by * left;
+                    downhill += by * residual;
                 }
             }
         }

@@ -306,8 +306,8 @@ mod tests {
         let wanted = places(&Model::nominal(arm()), &inputs);
         let commands = closest_commands(&model, &inputs, &wanted, &ALL);
         inputs.q = commands.into_iter().map(Cow::Owned).collect();
-        let left = minus(places(&model, &inputs)[0].get(0), wanted[0].get(0));
-        assert!(dot(left, left).sqrt() < 1e-10, "{left:?}");
+        let residual = minus(places(&model, &inputs)[0].get(0), wanted[0].get(0));
+        assert!(dot(residual, residual).sqrt() < 1e-10, "{residual:?}");
     }
 
     #[test]

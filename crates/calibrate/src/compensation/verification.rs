@@ -86,13 +86,13 @@ impl Trimmed {
     ) -> Option<Self> {
         let is_set_aside = |i: &usize| counts(*i) && suspected[*i];
         let set_aside = (0..model_mm.len()).filter(is_set_aside).count();
-        let left = |lengths_mm: &[f64]| {
-            let left = Spread::of(lengths_mm, |i| counts(i) && !suspected[i], |_| false);
-            left.map_or(f64::NAN, |left| left.rms_mm)
+        let rms_mm = |lengths_mm: &[f64]| {
+            let spread = Spread::of(lengths_mm, |i| counts(i) && !suspected[i], |_| false);
+            spread.map_or(f64::NAN, |spread| spread.rms_mm)
         };
         (set_aside > 0).then(|| Self {
-            nominal_mm: left(nominal_mm),
-            model_mm: left(model_mm),
+            nominal_mm: rms_mm(nominal_mm),
+            model_mm: rms_mm(model_mm),
             set_aside,
         })
     }
@@ -168,9 +168,9 @@ impl Compared<'_, '_> {
             let lengths = d.length_mm.iter().zip(&problem.fit);
             lengths.filter(|(l, counts)| **counts && **l <= mm).count()
         };
-        let compensated = |(left, cannot): &(Deviations, f64)| {
+        let compensated = |(deviations, cannot): &(Deviations, f64)| {
             Some(Compensated {
-                gap: spread(left)?,
+                gap: spread(deviations)?,
                 cannot_be_removed_by_joints_mm: *cannot,
             })
         };

@@ -66,8 +66,8 @@ fn gap(
     let compensation = Compensation::new(calibration);
     let full = model_for(calibration, session, &problem, &mut Vec::new());
     let expected = expected(&compensation, &problem.inputs, &full);
-    let left = measured_minus(session, &problem, &compensation, |i| expected[i]);
-    Spread::of(&left.length_mm, |i| problem.usable[i], |_| false)
+    let residuals = measured_minus(session, &problem, &compensation, |i| expected[i]);
+    Spread::of(&residuals.length_mm, |i| problem.usable[i], |_| false)
 }
 
 /// The RMS error that a table leaves on a session, `correction` being what the controller adds for a

@@ -80,14 +80,14 @@ pub(crate) fn expected(
 
 /// Pairs of names that look alike at some of their settings.
 fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
-    let around = regression.surroundings(fit, CandidateSubset::Names);
+    let around = regression.projections(fit, CandidateSubset::Names);
     // Columns of each name at each setting, orthonormal, beside the base.
     let spans = regression.table.candidates.iter().filter_map(|candidate| {
         let term = candidate.what.term()?;
         let setting = term.effect.about().setting;
         let high_order = setting.takes_fractions() && term.setting > HIGHEST_ORDER;
         let whole = around.factor(candidate).1 == candidate.size;
-        let columns = || regression.columns_beside(&around, candidate);
+        let columns = || regression.projected_columns(&around, candidate);
         (whole && !high_order).then(|| (term, Basis::new(&columns()).q))
     });
     let mut spans: Vec<(&Term, DMatrix<f64>)> = spans.collect();

@@ -283,16 +283,16 @@ mod tests {
         // The sums of some are those of all without those before.
         let some = &samples[11..];
         let cost = sums(&samples).plus(&sums(&samples[..11]), -1.0).cost();
-        let left = |along: f64, around: f64| -> f64 {
+        let cost_at = |along: f64, around: f64| -> f64 {
             let one = |s: &Sample| (s.dx - along).powi(2) + (s.dy - around * s.l1).powi(2);
             some.iter().map(one).sum()
         };
         let along = some.iter().map(|s| s.dx).sum::<f64>() / some.len() as f64;
         let turned: f64 = some.iter().map(|s| s.l1 * s.dy).sum();
         let around = turned / some.iter().map(|s| s.l1 * s.l1).sum::<f64>();
-        assert!((cost - left(along, around)).abs() < 1e-9);
+        assert!((cost - cost_at(along, around)).abs() < 1e-9);
         for (more, turn) in [(0.01, 0.0), (-0.01, 0.0), (0.0, 1e-4), (0.0, -1e-4)] {
-            assert!(left(along + more, around + turn) > cost + 1e-4);
+            assert!(cost_at(along + more, around + turn) > cost + 1e-4);
         }
     }
 

@@ -123,7 +123,7 @@ pub(crate) fn of_a_single_joint(
 /// frame for each setup.
 pub(crate) fn beside(session: &Session, problem: &Problem) -> Vec<Term> {
     match &problem.observed {
-        Some(layer) => observed::terms_beside(session, layer),
+        Some(layer) => observed::extra_terms(session, layer),
         None => free_frames(session, problem),
     }
 }

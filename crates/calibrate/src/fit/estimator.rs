@@ -12,7 +12,7 @@ use crate::model::Model;
 use crate::observations::figures::judge;
 use crate::{budget, rounding};
 
-use super::gap::{Deviations, deviations_again, suspects_beside};
+use super::gap::{Deviations, deviations_again, suspects_given};
 use super::noise::Noise;
 use super::problem::Problem;
 use super::regression::Rows;
@@ -27,15 +27,15 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
     if problem.observed.is_some() {
         return of_all_kinds(problem, solution);
     }
-    let mut left = Deviations::default();
+    let mut residuals = Deviations::default();
     let mut may_not_repeat = false;
     for round in 0..budget::ROUNDS {
         if solution.stopped == Stopped::Cancelled {
             break;
         }
-        deviations_again(problem, &solution.model, &mut left);
+        deviations_again(problem, &solution.model, &mut residuals);
         let (rank, covariance) = (solution.spectrum.rank(), || covariance(&solution));
-        let suspected = suspects_beside(problem, &mut left, &solution.model, rank, covariance);
+        let suspected = suspects_given(problem, &mut residuals, &solution.model, rank, covariance);
         let kept = problem.fit.iter().zip(&suspected).map(|(f, s)| *f && !*s);
         let used: Vec<bool> = kept.collect();
         let same = used == problem.used;
@@ -46,7 +46,7 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
         let noise = (round < MOST_NOISE || first_time).then(|| {
             let (model, extra) = (&solution.model, &solution.extra_coefficients);
             if may_not_repeat {
-                noise_beside(problem, model, extra)
+                noise_given(problem, model, extra)
             } else {
                 noise_of_rows(problem, &rows(problem), model, extra)
             }
@@ -134,8 +134,8 @@ fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
     if gone.is_empty() || solution.stopped == Stopped::Cancelled {
         return solution;
     }
-    let rest = solve(problem, &solution.model.without(negative));
-    let rest = without_negative_sizes(problem, rest);
+    let reduced = solve(problem, &solution.model.without(negative));
+    let reduced = without_negative_sizes(problem, reduced);
     let absent = |t: Term| Term {
         coefficients: vec![0.0; t.coefficients.len()],
         ..t
@@ -143,11 +143,11 @@ fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
     let model = gone
         .into_iter()
         .map(absent)
-        .fold(rest.model, |m, t| m.with_term(t));
+        .fold(reduced.model, |m, t| m.with_term(t));
     Solution {
         model,
-        cost: rest.cost,
-        extra_coefficients: rest.extra_coefficients,
+        cost: reduced.cost,
+        extra_coefficients: reduced.extra_coefficients,
         ..solution
     }
 }
@@ -161,7 +161,7 @@ fn rows<'a>(problem: &Problem<'a>) -> Rows<'a> {
 }
 
 /// The noise that a model leaves in the samples that count.
-pub(crate) fn noise_beside(problem: &Problem, model: &Model, extra_coefficients: &[f64]) -> Noise {
+pub(crate) fn noise_given(problem: &Problem, model: &Model, extra_coefficients: &[f64]) -> Noise {
     let rows = rows(problem).seen_by(model);
     noise_of_rows(problem, &rows, model, extra_coefficients)
 }

@@ -21,26 +21,30 @@ pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
     if let Some(layer) = &problem.observed {
         return figures::deviations(layer, model);
     }
-    let mut left = Deviations::default();
-    deviations_again(problem, model, &mut left);
-    left
+    let mut residuals = Deviations::default();
+    deviations_again(problem, model, &mut residuals);
+    residuals
 }
 
 /// The same in the memory of earlier ones: of a long session that is most of the work.
-pub(crate) fn deviations_again(problem: &Problem, model: &Model, left: &mut Deviations) {
+pub(crate) fn deviations_again(problem: &Problem, model: &Model, residuals: &mut Deviations) {
     if problem.observed.is_some() {
-        *left = deviations(problem, model);
+        *residuals = deviations(problem, model);
         return;
     }
-    for column in left.axes_mm.iter_mut().chain([&mut left.length_mm]) {
+    for column in residuals
+        .axes_mm
+        .iter_mut()
+        .chain([&mut residuals.length_mm])
+    {
         column.clear();
         column.reserve_exact(problem.inputs.len());
     }
     each_block(problem, model, |axes, length| {
-        for (all, own) in left.axes_mm.iter_mut().zip(axes) {
+        for (all, own) in residuals.axes_mm.iter_mut().zip(axes) {
             all.extend_from_slice(own);
         }
-        left.length_mm.extend_from_slice(length);
+        residuals.length_mm.extend_from_slice(length);
     });
 }
 
@@ -118,7 +122,7 @@ pub(crate) fn rms_mm(problem: &Problem, model: &Model) -> f64 {
 
 /// Like [`suspects`] beside a fit of so many coefficients, which has not seen what it left out: there the
 /// deviations are changed. `covariance` is that of the model's coefficients.
-pub(crate) fn suspects_beside(
+pub(crate) fn suspects_given(
     problem: &Problem,
     deviations: &mut Deviations,
     model: &Model,

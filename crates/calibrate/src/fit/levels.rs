@@ -115,9 +115,12 @@ fn models(problem: &Problem, identified: &Model) -> Vec<(Template, Model)> {
 
 fn level(problem: &Problem, fold: &[usize], what: Template, start: &Model) -> Level {
     let solution = solve(problem, start);
-    let left = lengths_mm(problem, &solution.model);
+    let residuals_mm = lengths_mm(problem, &solution.model);
     let used = |i: &usize| problem.used[*i];
-    let own: Vec<f64> = (0..left.len()).filter(used).map(|i| left[i]).collect();
+    let own: Vec<f64> = (0..residuals_mm.len())
+        .filter(used)
+        .map(|i| residuals_mm[i])
+        .collect();
     let enough = own.len() >= FEWEST;
     let unseen = || {
         let mut lengths = Vec::new();
@@ -127,9 +130,9 @@ fn level(problem: &Problem, fold: &[usize], what: Template, start: &Model) -> Le
             let kept = counted.map(|(i, c)| *c && fold[seen.sample_of(i)] != k);
             seen.set_counted(kept.collect());
             let model = solve(&seen, &solution.model).model;
-            let left = lengths_mm(problem, &model);
-            let held_out = (0..left.len()).filter(|i| problem.used[*i] && fold[*i] == k);
-            lengths.extend(held_out.map(|i| left[i]));
+            let residuals_mm = lengths_mm(problem, &model);
+            let held_out = (0..residuals_mm.len()).filter(|i| problem.used[*i] && fold[*i] == k);
+            lengths.extend(held_out.map(|i| residuals_mm[i]));
         }
         Errors::of(lengths)
     };

@@ -11,7 +11,7 @@ use crate::lanes::{LANES, Lanes, Lanes3, TOGETHER};
 use crate::observations::RowBlock;
 use crate::wide::{Loop, wide};
 
-use super::noise::{Noise, Step, carried};
+use super::noise::{Noise, Step, decayed};
 use super::problem::Problem;
 
 #[derive(Debug, Clone)]
@@ -243,7 +243,7 @@ impl Whitening {
             let time = problem.time(start + i);
             let apart = time - self.before;
             if apart != self.decay_at_step.0 {
-                self.decay_at_step = (apart, carried(apart, self.tau));
+                self.decay_at_step = (apart, decayed(apart, self.tau));
             }
             let decay = self.decay_at_step.1;
             self.before = time;
@@ -287,9 +287,9 @@ impl Whitening {
             for i in (0..len).filter(|i| self.counts[*i]) {
                 let step = &self.step[axis][i];
                 for c in 0..TOGETHER {
-                    let carried = step.decay * state[c];
-                    let new = own[c][i] - carried;
-                    state[c] = carried + step.gain * new;
+                    let decayed = step.decay * state[c];
+                    let new = own[c][i] - decayed;
+                    state[c] = decayed + step.gain * new;
                     white[c][i] = new * step.inverse_spread;
                 }
             }

@@ -32,7 +32,7 @@ pub(super) fn terms(session: &Session, layer: &Layer) -> Vec<Term> {
 }
 
 /// The same beside effects that the user chose: frames only where the session has setups.
-pub(crate) fn terms_beside(session: &Session, layer: &Layer) -> Vec<Term> {
+pub(crate) fn extra_terms(session: &Session, layer: &Layer) -> Vec<Term> {
     let nominal = Model::nominal(session.robot.clone());
     let mut terms = Vec::new();
     if session.samples.setups.is_some() || gauge::open(layer).base {

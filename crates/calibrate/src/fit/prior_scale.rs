@@ -264,11 +264,11 @@ mod tests {
                 group: group[column],
             })
             .collect();
-        let left = &measured - &jacobian * &value;
+        let residual = &measured - &jacobian * &value;
         let mut normal = Normal::new(4);
         normal.gram = jacobian.tr_mul(&jacobian);
-        normal.gradient = jacobian.tr_mul(&left);
-        normal.cost = left.norm_squared();
+        normal.gradient = jacobian.tr_mul(&residual);
+        normal.cost = residual.norm_squared();
         for k in 0..4 {
             normal.gram[(k, k)] += weight[k];
             normal.gradient[k] -= weight[k] * value[k];

@@ -496,10 +496,10 @@ mod tests {
             let z = session.samples.z_mm.as_ref().unwrap()[i];
             let measured = [session.samples.x_mm[i], session.samples.y_mm[i], z];
             for axis in 0..3 {
-                let left = measured[axis]
+                let residual = measured[axis]
                     - predicted.get(i)[axis]
                     - found.extra_coefficients[0] * wave[axis][i];
-                along += left * wave[axis][i];
+                along += residual * wave[axis][i];
                 square += wave[axis][i].powi(2);
             }
         }

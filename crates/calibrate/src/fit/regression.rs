@@ -188,8 +188,8 @@ impl<'a> Rows<'a> {
         if !priors.size.is_empty() {
             let last = residual.len();
             let size = DVector::from_vec(priors.size_row(model)) / SIZE;
-            let left = -size.dot(&DVector::from_vec(model.coefficients()));
-            residual = residual.insert_row(last, left);
+            let prior_residual = -size.dot(&DVector::from_vec(model.coefficients()));
+            residual = residual.insert_row(last, prior_residual);
             columns = columns.insert_row(last, 0.0);
             columns.row_mut(last).copy_from(&size.transpose());
         }
@@ -208,11 +208,13 @@ impl<'a> Rows<'a> {
             return (residual, columns);
         };
         let unit = rows.layer().unit_mm;
-        let (left, known) = self.prior_rows(model, priors);
-        let (m, more) = (self.len(), left.len());
+        let (prior_residual, known) = self.prior_rows(model, priors);
+        let (m, more) = (self.len(), prior_residual.len());
         let mut residual = residual.resize_vertically(m + more, 0.0);
         let mut columns = columns.resize_vertically(m + more, 0.0);
-        residual.rows_mut(m, more).copy_from(&(left * unit));
+        residual
+            .rows_mut(m, more)
+            .copy_from(&(prior_residual * unit));
         columns.rows_mut(m, more).copy_from(&(known * unit));
         (residual, columns)
     }

@@ -227,7 +227,7 @@ fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal
                 &joined
             };
             if let Some(unrepeated) = &mut unrepeated {
-                normal.add_beside_joints(problem, start, block, sums, unrepeated);
+                normal.add_with_joint_noise(problem, start, block, sums, unrepeated);
             } else if let Some(whitening) = &mut whitening {
                 normal.add_whitened(problem, start, block, sums, whitening);
             } else {
@@ -241,7 +241,7 @@ fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal
 
 /// The least rise of the cost by which samples tell a coefficient: that of a move by two standard deviations, 2².
 /// What rises by less over the whole range that makes sense is not determined.
-const LEAST_TOLD: f64 = 4.0;
+const LEAST_RISE: f64 = 4.0;
 
 /// The spectrum of a problem with another noise at a solution, the cost there, and the step to the
 /// solution under that noise.
@@ -312,7 +312,7 @@ fn limits_of_determinacy(problem: &Problem, normal: &Normal, state: &State) -> (
         .chain(shapes)
         .collect();
     let least = if problem.noise.is_some() {
-        LEAST_TOLD
+        LEAST_RISE
     } else {
         normal.weight * rounding::WRITTEN * rounding::WRITTEN
     };

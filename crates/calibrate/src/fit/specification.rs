@@ -90,11 +90,11 @@ fn pulls(problem: &Problem, model: &Model) -> DMatrix<f64> {
     model.visit(inputs, true, |start, block| {
         let mask = problem.mask(start, block.len);
         for axis in (0..3).filter(|axis| problem.axis_weights[*axis] > 0.0) {
-            let left = problem.residual(axis, start, block, &mask);
+            let residual = problem.residual(axis, start, block, &mask);
             for i in 0..block.len {
                 let mut pull = pulls.column_mut(pose_of[start + i]);
                 for (pull, column) in pull.iter_mut().zip(&block.columns) {
-                    *pull += column[axis][i] * left[i];
+                    *pull += column[axis][i] * residual[i];
                 }
             }
         }

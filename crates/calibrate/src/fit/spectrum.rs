@@ -33,7 +33,7 @@ pub struct Spectrum {
 /// with a relative error of some 1e-14, and its diagonal is 1.
 const RANK_TOLERANCE: f64 = 1e-11;
 /// What is so small a part of a standard deviation makes it a twentieth larger.
-const BESIDE: f64 = 0.3;
+const NEGLIGIBLE: f64 = 0.3;
 
 impl Spectrum {
     /// Takes a Gram matrix apart.
@@ -192,7 +192,7 @@ impl Spectrum {
         let unscale = self.unscale(coefficient);
         let moved = undetermined().map(|k| (part(k) * unscale * self.furthest[k]).powi(2));
         let moved = moved.sum::<f64>().sqrt();
-        moved.is_nan() || moved > BESIDE * deviation
+        moved.is_nan() || moved > NEGLIGIBLE * deviation
     }
 }
 

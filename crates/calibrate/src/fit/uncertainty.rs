@@ -191,8 +191,8 @@ mod tests {
             let (a, b, h) = (3e-3, -4e-3, 1e-8);
             let da = (of(a + h, b) - of(a - h, b)) / (2.0 * h);
             let db = (of(a, b + h) - of(a, b - h)) / (2.0 * h);
-            let carried = DMatrix::from_row_slice(1, 2, &[da, db]);
-            (&carried * &covariance * carried.transpose())[0].sqrt()
+            let decayed = DMatrix::from_row_slice(1, 2, &[da, db]);
+            (&decayed * &covariance * decayed.transpose())[0].sqrt()
         };
         let of = |undetermined: [bool; 2]| {
             half_widths(

@@ -70,7 +70,7 @@ impl<'p> Unrepeated<'p> {
 
 impl Normal {
     /// Adds one block of samples with noise that rows of a pose share.
-    pub(super) fn add_beside_joints(
+    pub(super) fn add_with_joint_noise(
         &mut self,
         problem: &Problem,
         start: usize,
@@ -104,7 +104,7 @@ mod tests {
     use super::*;
     use crate::effects::JointValues;
     use crate::fit::base_model;
-    use crate::fit::estimator::noise_beside;
+    use crate::fit::estimator::noise_given;
     use crate::fit::example::unrepeated;
     use crate::fit::fit_without_outliers;
     use crate::fit::noise::{Noise, Slow};
@@ -136,17 +136,20 @@ mod tests {
             let rows = Rows::of(&problem).seen_by(&solution.model);
             let (residual, columns) = rows.extract(&solution.model);
             let white = noise.whitened(&rows, &columns);
-            let left = noise.whitened_vector(&rows, &residual);
+            let white_residual = noise.whitened_vector(&rows, &residual);
             let mut expected = Normal::new(columns.ncols());
             problem.priors.add(&solution.model, &mut expected);
             let gram = &expected.gram + white.tr_mul(&white);
-            let gradient = &expected.gradient + white.tr_mul(&left);
+            let gradient = &expected.gradient + white.tr_mul(&white_residual);
             assert!((&normal.gram - &gram).norm() < 1e-9 * gram.norm());
             assert!(
                 (&normal.gradient - &gradient).norm()
                     < 1e-9 * gradient.norm().max(gram.norm() * 1e-6)
             );
-            assert!((normal.cost - expected.cost - left.norm_squared()).abs() < 1e-6 * normal.cost);
+            assert!(
+                (normal.cost - expected.cost - white_residual.norm_squared()).abs()
+                    < 1e-6 * normal.cost
+            );
         }
     }
 
@@ -158,7 +161,7 @@ mod tests {
             let mut problem = Problem::new(&session, JointValues::Commanded);
             let start = base_model::start(&session, &problem, |_| true);
             let solution = fit_without_outliers(&mut problem, &start);
-            let noise = noise_beside(&problem, &solution.model, &[]);
+            let noise = noise_given(&problem, &solution.model, &[]);
             if joints_rad == 0.0 {
                 assert_eq!(noise.joints_rad, 0.0, "{seed}");
                 continue;
@@ -183,7 +186,7 @@ mod tests {
             assert!(problem.inputs.pose.is_none());
             let start = base_model::start(&session, &problem, |_| true);
             let solution = fit_without_outliers(&mut problem, &start);
-            noise_beside(&problem, &solution.model, &[])
+            noise_given(&problem, &solution.model, &[])
         };
         for (joints_rad, seed) in [(2e-4, 1), (1e-3, 2)] {
             let noise = noise_of(joints_rad, seed);

@@ -268,11 +268,12 @@ fn followed(
         ..solution.clone()
     };
     let there = solution_at(problem, &there);
-    let left_mm = |model: &Model| {
+    let residual_mm = |model: &Model| {
         let lengths_mm = lengths_mm(problem, model);
-        Spread::of(&lengths_mm, |i| problem.used[i], |_| false).map_or(0.0, |left| left.rms_mm)
+        Spread::of(&lengths_mm, |i| problem.used[i], |_| false).map_or(0.0, |spread| spread.rms_mm)
     };
-    let follows = left_mm(&there.model) <= MOST_WORSE * left_mm(&solution.model) + NOTHING_MM;
+    let follows =
+        residual_mm(&there.model) <= MOST_WORSE * residual_mm(&solution.model) + NOTHING_MM;
     let most = MOST_WORSE * MOST_WORSE * solution.cost;
     (follows && there.cost <= most).then_some(there)
 }

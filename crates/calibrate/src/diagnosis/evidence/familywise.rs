@@ -93,7 +93,7 @@ impl Regression<'_> {
         if long || noise.iter().all(|v| *v == 0.0) {
             noise.fill(1.0);
         }
-        let around = self.surroundings(fit, CandidateSubset::All);
+        let around = self.projections(fit, CandidateSubset::All);
         let trials = Trials::new(self, &around);
         let columns = self.table.columns.count() * self.rows.samples.len();
         self.work.did(OF_NOISE * (columns * count) as f64);

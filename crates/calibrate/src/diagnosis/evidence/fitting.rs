@@ -35,7 +35,7 @@ impl Regression<'_> {
         let more = (own + shapes.len()).saturating_sub(self.base.coefficient_count());
         let of_a_step = (self.height() * own) as f64 * (OF_A_FIT + 4.0 * (1 + more) as f64);
         let mut place: Option<Arc<Basis>> = None;
-        let mut left = DVector::zeros(self.height());
+        let mut projected = DVector::zeros(self.height());
         let mut rss = 0.0_f64;
         // The square of the last step beside what it left.
         let mut last = f64::INFINITY;
@@ -50,10 +50,10 @@ impl Regression<'_> {
             };
             // The shapes are linear: they are solved for afresh, the model by steps.
             let step = here.solve(&residual);
-            left = here.reject(&residual);
-            rss = left.norm_squared();
+            projected = here.reject(&residual);
+            rss = projected.norm_squared();
             // What the columns explain of the residual is what the step moves, but for the shapes.
-            let mut moves = residual - &left;
+            let mut moves = residual - &projected;
             model = model.stepped(&step.as_slice()[..own]);
             let mut first = own;
             for shape in &mut shapes {
@@ -77,7 +77,7 @@ impl Regression<'_> {
         Fit {
             model,
             shapes,
-            residual: left,
+            residual: projected,
             basis,
             rss,
             ln_evidence,

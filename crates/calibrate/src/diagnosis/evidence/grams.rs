@@ -77,10 +77,10 @@ impl Grams {
         along: &DMatrix<f64>,
         candidates: impl Iterator<Item = &'c Candidate>,
     ) -> Self {
-        let mut left = self.clone();
+        let mut remaining = self.clone();
         for candidate in candidates {
             let (first, k) = (candidate.first, candidate.size);
-            let own = &mut left.values[self.at[first]..][..k * k];
+            let own = &mut remaining.values[self.at[first]..][..k * k];
             for i in 0..k {
                 let a = along.column(first + i);
                 for j in 0..=i {
@@ -88,7 +88,7 @@ impl Grams {
                 }
             }
         }
-        left
+        remaining
     }
 
     /// How much has to be left of every column of the candidates for it to count.
@@ -106,7 +106,7 @@ impl Grams {
 
 /// Of candidates with so many columns each, the orthonormal columns of what a basis leaves of them; `None` where
 /// that is not all of them.
-pub(crate) fn units_beside(
+pub(crate) fn projected_units(
     white: DMatrix<f64>,
     sizes: impl Iterator<Item = usize>,
     basis: &Basis,

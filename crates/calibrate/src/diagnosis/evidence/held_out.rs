@@ -174,7 +174,7 @@ impl Folds {
     }
 
     /// Whether there are enough poses to say anything.
-    pub(crate) fn say_something(&self) -> bool {
+    pub(crate) fn are_enough(&self) -> bool {
         self.poses >= FEWEST
     }
 
@@ -209,7 +209,7 @@ impl Folds {
 
     /// The same where the first so many columns of the fit predict.
     fn predicted_by(&self, regression: &Regression, fit: &Fit, columns: usize) -> HeldOutResiduals {
-        if !self.say_something() {
+        if !self.are_enough() {
             // Too few samples to hold any out: the fit's own residual, so that it never stands
             // in the way.
             return HeldOutResiduals {
@@ -221,17 +221,17 @@ impl Folds {
         let rescanned = Rescanned::new(regression, fit);
         let n = self.fold.len();
         let (mut sum, mut sum_mm) = (0.0, 0.0);
-        let mut left = DVector::zeros(regression.rows.len());
+        let mut residuals = DVector::zeros(regression.rows.len());
         let rows = regression.rows.len();
         let unseen = (0..self.count).map(|fold| -> Vec<usize> {
             (0..rows).filter(|row| self.fold[row % n] == fold).collect()
         });
         let unseen: Vec<Vec<usize>> = unseen.collect();
-        let folds = rescanned.left(&unseen, columns);
+        let folds = rescanned.residuals(&unseen, columns);
         for (unseen, of_fold) in unseen.into_iter().zip(folds) {
             for (row, e) in unseen.into_iter().zip(of_fold) {
                 let mm = regression.rows.mm(row) * e;
-                left[row] = e;
+                residuals[row] = e;
                 sum += e * e;
                 sum_mm += mm * mm;
             }
@@ -240,7 +240,7 @@ impl Folds {
         HeldOutResiduals {
             rms: (sum / n as f64).sqrt(),
             rms_mm: (sum_mm / lengths as f64).sqrt(),
-            rows: left,
+            rows: residuals,
         }
     }
 }

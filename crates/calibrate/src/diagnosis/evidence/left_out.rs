@@ -170,7 +170,7 @@ impl Fitted {
             kept: basis.kept.clone(),
             width: white.ncols(),
             least: basis
-                .left()
+                .remaining_norms()
                 .map(|left| rounding::COMPUTED * left * left)
                 .collect(),
             columns,

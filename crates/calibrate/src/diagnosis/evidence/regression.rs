@@ -17,9 +17,9 @@ use super::fit::Fit;
 use super::grams::Grams;
 use super::largest_in_noise::LargestInNoise;
 use super::memo::Memo;
+use super::projections::Projections;
 use super::rival::Rival;
 use super::significance::Tests;
-use super::surroundings::Surroundings;
 use super::work::Work;
 use crate::diagnosis::candidates::columns::pad_rows;
 use crate::diagnosis::candidates::table::{CandidateKind, CandidateTable};
@@ -50,7 +50,7 @@ pub(crate) struct Regression<'a> {
     /// Errors on unseen samples ([`super::held_out`]): in units of the rows, and in mm.
     pub(crate) unseen: Memo<[f64; 2]>,
     /// What candidates would do beside the last fits.
-    pub(crate) surroundings: Memo<Rc<Surroundings>>,
+    pub(crate) projections: Memo<Rc<Projections>>,
     /// Other names for a fit ([`crate::diagnosis::search::aliases`]).
     pub(crate) rivals: Memo<Vec<Rival>>,
     /// What the noise itself says of the rows: −½ ln of its determinant, less its price.
@@ -72,7 +72,7 @@ pub(crate) const KEPT: usize = 64;
 /// Lists of rivals that are kept for fits that a search comes to again.
 const RIVALS_KEPT: usize = 2;
 /// Tables that are kept: each has a column of some tens of numbers for every column of the candidates.
-const SURROUNDINGS_KEPT: usize = 3;
+const PROJECTIONS_KEPT: usize = 3;
 
 impl<'a> Regression<'a> {
     pub(crate) fn new(
@@ -114,7 +114,7 @@ impl<'a> Regression<'a> {
             largest_in_noise: Memo::new(KEPT),
             fits: Memo::new(last_fits),
             unseen: Memo::new(KEPT),
-            surroundings: Memo::new(SURROUNDINGS_KEPT),
+            projections: Memo::new(PROJECTIONS_KEPT),
             rivals: Memo::new(RIVALS_KEPT),
         }
     }
@@ -182,9 +182,11 @@ impl<'a> Regression<'a> {
             first += term.coefficients.len();
         }
         if self.prior_rows > self.priors.len() {
-            let (left, columns) = self.rows.prior_rows(model, &self.problem.priors);
+            let (prior_residual, columns) = self.rows.prior_rows(model, &self.problem.priors);
             let from = m + self.priors.len();
-            jacobian.rows_mut(from, left.len()).copy_from(&columns);
+            jacobian
+                .rows_mut(from, prior_residual.len())
+                .copy_from(&columns);
         }
         (self.whitened_residual(model, raw), jacobian)
     }
@@ -203,9 +205,11 @@ impl<'a> Regression<'a> {
             }
         }
         if more > self.priors.len() {
-            let (left, _) = self.rows.prior_rows(model, &self.problem.priors);
+            let (prior_residual, _) = self.rows.prior_rows(model, &self.problem.priors);
             let from = m + self.priors.len();
-            residual.rows_mut(from, left.len()).copy_from(&left);
+            residual
+                .rows_mut(from, prior_residual.len())
+                .copy_from(&prior_residual);
         }
         residual
     }
@@ -213,7 +217,7 @@ impl<'a> Regression<'a> {
     /// Frees what was worked out so far, most of what is held: it is worked out again where it is asked for again.
     pub(crate) fn forget(&self) {
         self.fits.clear();
-        self.surroundings.clear();
+        self.projections.clear();
         self.rivals.clear();
         self.largest_in_noise.clear();
     }

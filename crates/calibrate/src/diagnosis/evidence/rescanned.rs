@@ -10,9 +10,9 @@ use nalgebra::{DMatrix, DVector};
 
 use super::fit::Fit;
 use super::left_out::{Exchanged, Fitted, Scanned};
+use super::projections::ReducedFit;
 use super::regression::Regression;
 use super::shares::{Gains, SHARES, dealt};
-use super::surroundings::Without;
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::compatible;
 
@@ -32,10 +32,15 @@ fn is_scanned(term: &Term) -> bool {
 }
 
 /// Settings of a term, other than its own, that would lower the square by much of what the term does.
-fn near_its_own(regression: &Regression, fit: &Fit, term: &Term, rest: &Without) -> Vec<usize> {
-    let own = rest.rss - fit.rss;
-    let around = regression.surroundings(fit, CandidateSubset::Names);
-    let gain = |index: usize| around.gain(rest, &regression.table.candidates[index]);
+fn near_its_own(
+    regression: &Regression,
+    fit: &Fit,
+    term: &Term,
+    reduced: &ReducedFit,
+) -> Vec<usize> {
+    let own = reduced.rss - fit.rss;
+    let around = regression.projections(fit, CandidateSubset::Names);
+    let gain = |index: usize| around.gain(reduced, &regression.table.candidates[index]);
     let setting = |index: &usize| {
         let term = regression.table.candidates[*index].what.term();
         term.map(|t| t.setting)
@@ -85,7 +90,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
 
     fn of(regression: &'f Regression<'a>, fit: &Fit, terms: Vec<Scanned>) -> Self {
         let (residual, mut columns) = regression.raw(&fit.model);
-        let (left, mut white) = regression.whitened(&fit.model, &residual, columns.clone());
+        let (residuals, mut white) = regression.whitened(&fit.model, &residual, columns.clone());
         for shape in &fit.shapes {
             for (all, own) in [(&mut columns, &*shape.raw), (&mut white, &*shape.white)] {
                 let at = all.ncols();
@@ -102,7 +107,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         let products = 2.0 * OF_A_FIT + bases as f64;
         regression.work.did((height * width) as f64 * products);
         Self {
-            fitted: Fitted::new(&fit.basis, &white, left, terms),
+            fitted: Fitted::new(&fit.basis, &white, residuals, terms),
             regression,
             residual,
             columns,
@@ -110,7 +115,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
     }
 
     /// What a fit without each of these sets of rows leaves of them, where its first so many columns predict.
-    pub(crate) fn left(&self, folds: &[Vec<usize>], columns: usize) -> Vec<Vec<f64>> {
+    pub(crate) fn residuals(&self, folds: &[Vec<usize>], columns: usize) -> Vec<Vec<f64>> {
         let fitted = &self.fitted;
         let steps = self
             .regression
@@ -118,11 +123,11 @@ impl<'f, 'a> Rescanned<'f, 'a> {
             .each(folds.len(), |k| fitted.step(&folds[k]));
         let steps = steps.into_iter().zip(folds);
         steps
-            .map(|(step, rows)| self.left_by(step, rows, columns))
+            .map(|(step, rows)| self.residuals_of(step, rows, columns))
             .collect()
     }
 
-    fn left_by(
+    fn residuals_of(
         &self,
         (step, exchanged): (DVector<f64>, Vec<Exchanged>),
         rows: &[usize],
@@ -138,19 +143,24 @@ impl<'f, 'a> Rescanned<'f, 'a> {
             raw * own - self.columns.columns(term.first, candidate.size) * &term.coefficients
         });
         let more: Vec<DVector<f64>> = more.collect();
-        let left = rows.iter().map(|row| {
+        let residuals = rows.iter().map(|row| {
             let own = self.columns.row(*row);
             let predicted = own.columns(0, width).tr_dot(&step.rows(0, width));
             let more: f64 = more.iter().map(|own| own[*row]).sum();
             self.residual[*row] - predicted - more
         });
-        left.collect()
+        residuals.collect()
     }
 }
 
 /// What a term brings where its joint and its setting are chosen again without each share of the poses in turn. (Among all
 /// names of as many coefficients one that is right lost to its neighbours: of 56 stars a telescope's encoder.)
-pub(crate) fn chosen_again(regression: &Regression, fit: &Fit, rest: &Fit, term: &Term) -> Gains {
+pub(crate) fn chosen_again(
+    regression: &Regression,
+    fit: &Fit,
+    reduced: &Fit,
+    term: &Term,
+) -> Gains {
     let rows = &regression.rows;
     let share = dealt(rows);
     let n = share.len();
@@ -160,13 +170,13 @@ pub(crate) fn chosen_again(regression: &Regression, fit: &Fit, rest: &Fit, term:
             .collect()
     };
     let shares: Vec<Vec<usize>> = (0..SHARES).map(of_share).collect();
-    let anywhere = anywhere(regression, fit, rest, term);
+    let anywhere = anywhere(regression, fit, reduced, term);
     let with = Rescanned::of(regression, fit, vec![anywhere]);
-    let without = Rescanned::as_it_is(regression, rest);
+    let without = Rescanned::as_it_is(regression, reduced);
     let mut squares = vec![[0.0; 2]; n];
     for (k, of) in [without, with].into_iter().enumerate() {
-        for (own, left) in shares.iter().zip(of.left(&shares, usize::MAX)) {
-            for (row, e) in own.iter().zip(left) {
+        for (own, residuals) in shares.iter().zip(of.residuals(&shares, usize::MAX)) {
+            for (row, e) in own.iter().zip(residuals) {
                 squares[row % n][k] += (rows.mm(*row) * e).powi(2);
             }
         }
@@ -175,10 +185,10 @@ pub(crate) fn chosen_again(regression: &Regression, fit: &Fit, rest: &Fit, term:
 }
 
 /// A term with all joints and settings that may stand in the place of its own.
-fn anywhere(regression: &Regression, fit: &Fit, rest: &Fit, term: &Term) -> Scanned {
+fn anywhere(regression: &Regression, fit: &Fit, reduced: &Fit, term: &Term) -> Scanned {
     let before = fit.model.terms().iter();
     let before = before.take_while(|t| !t.same_column(term));
-    let there = regression.added(rest);
+    let there = regression.added(reduced);
     let id = term.effect.about().id;
     let all = regression.table.candidates.iter().enumerate();
     let own = all.filter(|(_, candidate)| {
@@ -208,9 +218,9 @@ fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
         if !is_scanned(term) {
             continue;
         }
-        let rest = many.then(|| regression.without(fit, term)).flatten();
-        let candidates = match rest {
-            Some(rest) => near_its_own(regression, fit, term, &rest),
+        let reduced = many.then(|| regression.without(fit, term)).flatten();
+        let candidates = match reduced {
+            Some(reduced) => near_its_own(regression, fit, term, &reduced),
             None => settings(regression, term),
         };
         if candidates.is_empty() {
@@ -272,9 +282,12 @@ mod tests {
             let step = anew.solve(&residual.select_rows(&stay));
             let expected = &raw - &columns * step;
             let folds = [out];
-            let left = rescanned.left(&folds, usize::MAX).remove(0);
+            let residuals = rescanned.residuals(&folds, usize::MAX).remove(0);
             let [out] = folds;
-            let apart = out.iter().zip(&left).map(|(row, e)| expected[*row] - e);
+            let apart = out
+                .iter()
+                .zip(&residuals)
+                .map(|(row, e)| expected[*row] - e);
             let apart = apart.fold(0.0, |most: f64, e| most.max(e.abs()));
             assert!(apart < 1e-3 * expected.amax(), "{apart}");
         }
@@ -297,9 +310,9 @@ mod tests {
             let best = own.max_by(|a, b| a.gain.total_cmp(&b.gain)).unwrap();
             regression.with(fit, &regression.table.candidates[best.candidate].what)
         };
-        let gain = |fit: &Fit, rest: &Fit| {
+        let gain = |fit: &Fit, reduced: &Fit| {
             let term = regression.added(fit).pop().unwrap();
-            chosen_again(regression, fit, rest, term)
+            chosen_again(regression, fit, reduced, term)
         };
         let one = named("encoder-eccentricity", &base);
         let there = gain(&one, &base);

@@ -83,8 +83,8 @@ impl Significance {
     }
 
     fn exact(&self, x: f64) -> f64 {
-        let left = (-x / self.half_nu).exp();
-        if left >= 1.0 {
+        let remaining = (-x / self.half_nu).exp();
+        if remaining >= 1.0 {
             return 0.0;
         }
         let p = beta_below(self.half_nu, self.half_k, x / self.half_nu);
@@ -93,7 +93,7 @@ impl Significance {
         }
         // The leading term of the series for a small tail.
         let ln_left = -x / self.half_nu;
-        let series = self.half_nu * ln_left + (self.half_k - 1.0) * (-left).ln_1p()
+        let series = self.half_nu * ln_left + (self.half_k - 1.0) * (-remaining).ln_1p()
             - self.half_nu.ln()
             - ln_beta(self.half_nu, self.half_k);
         -series

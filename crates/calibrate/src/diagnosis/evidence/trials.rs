@@ -6,10 +6,10 @@ use nalgebra::{DMatrix, DVector};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use super::projections::Projections;
 use super::regression::Regression;
 use super::score::weight_of;
 use super::significance::Significance;
-use super::surroundings::Surroundings;
 use crate::budget;
 use crate::diagnosis::candidates::table::Candidate;
 
@@ -32,13 +32,13 @@ struct CandidateClass {
 /// Every candidate beside one model, for residuals to be sent through.
 pub(super) struct Trials<'p, 'a> {
     regression: &'p Regression<'a>,
-    around: &'p Surroundings,
+    around: &'p Projections,
     all: Vec<Trial<'p>>,
     kinds: Vec<CandidateClass>,
 }
 
 impl<'p, 'a> Trials<'p, 'a> {
-    pub(crate) fn new(regression: &'p Regression<'a>, around: &'p Surroundings) -> Self {
+    pub(crate) fn new(regression: &'p Regression<'a>, around: &'p Projections) -> Self {
         let freedom = regression.m() - around.basis.rank() as f64;
         let mut kinds: Vec<CandidateClass> = Vec::new();
         let mut all = Vec::new();

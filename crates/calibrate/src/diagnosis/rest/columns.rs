@@ -147,10 +147,10 @@ impl<'a> Columns<'a> {
     }
 
     /// Sets the noise of each block by what is left of its rows; whether it wanders in any.
-    pub(super) fn wander(&mut self, left: &[DVector<f64>]) -> bool {
+    pub(super) fn wander(&mut self, residuals: &[DVector<f64>]) -> bool {
         let mut slow = false;
-        for (block, left) in self.blocks.iter_mut().zip(left) {
-            slow |= block.wander(&self.rows, left);
+        for (block, residuals) in self.blocks.iter_mut().zip(residuals) {
+            slow |= block.wander(&self.rows, residuals);
         }
         slow
     }
@@ -208,13 +208,13 @@ impl Block {
                     }
                 }
                 let length = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-                let left = length(&v);
-                if left > 0.0 && left > MOST_SEEN * length(&whole) {
+                let norm = length(&v);
+                if norm > 0.0 && norm > MOST_SEEN * length(&whole) {
                     for x in &mut v {
-                        *x /= left;
+                        *x /= norm;
                     }
                     taken.push(v.clone());
-                    own.push((sample, v, left));
+                    own.push((sample, v, norm));
                 }
             }
             if own.is_empty() {
@@ -292,9 +292,9 @@ impl Block {
     }
 
     /// Sets the noise by what is left of the rows; whether it wanders.
-    fn wander(&mut self, rows: &Rows, left: &DVector<f64>) -> bool {
+    fn wander(&mut self, rows: &Rows, residuals: &DVector<f64>) -> bool {
         let own = rows.of_one_axis(&self.samples);
-        let noise = Noise::estimate(None, &own, left, &self.base);
+        let noise = Noise::estimate(None, &own, residuals, &self.base);
         let slow = noise.slow.map(|slow| Slow {
             rms_mm: [slow.rms_mm[0]; 3],
             ..slow

@@ -69,8 +69,8 @@ fn known_rows(
     let known: Vec<(usize, f64, f64)> = known
         .filter_map(|(c, o)| Some((c, sigma(o)?, o.1.coefficients[o.2])))
         .collect();
-    let (left, columns) = rows.prior_rows(model, &problem.priors);
-    let mut all = DMatrix::zeros(known.len() + left.len(), own.len());
+    let (prior_residual, columns) = rows.prior_rows(model, &problem.priors);
+    let mut all = DMatrix::zeros(known.len() + prior_residual.len(), own.len());
     let mut y = DVector::zeros(all.nrows());
     for (row, (column, sigma, value)) in known.iter().enumerate() {
         all[(row, *column)] = 1.0 / sigma;
@@ -79,11 +79,12 @@ fn known_rows(
     let of_model = model.columns().enumerate();
     let of_model = of_model.filter(|(_, (term, k))| is_fitted(term, *k));
     for (column, (place, _)) in of_model.enumerate() {
-        for row in 0..left.len() {
+        for row in 0..prior_residual.len() {
             all[(known.len() + row, column)] = columns[(row, place)];
         }
     }
-    y.rows_mut(known.len(), left.len()).copy_from(&left);
+    y.rows_mut(known.len(), prior_residual.len())
+        .copy_from(&prior_residual);
     (all, y)
 }
 
@@ -315,12 +316,12 @@ impl<'a> Design<'a> {
         let solved = self.solved(strengths)?;
         let white = &self.whitened.white;
         let (m, last) = (self.rows.len(), white.ncols() - 1);
-        let left = white.column(last) - white.columns(0, last) * solved;
-        let mut left = left.rows(0, m).into_owned();
+        let residuals = white.column(last) - white.columns(0, last) * solved;
+        let mut residuals = residuals.rows(0, m).into_owned();
         for row in self.rows_apart() {
-            left[row] = 0.0;
+            residuals[row] = 0.0;
         }
-        let variance = left.norm_squared() / (self.rows.count().max(1) as f64);
+        let variance = residuals.norm_squared() / (self.rows.count().max(1) as f64);
         let joints = self.model.robot.joints.len();
         let motions: Vec<usize> = (0..joints).map(|j| j * DIRECTIONS).collect();
         let units = self.directions.select_columns(&motions);
@@ -328,7 +329,7 @@ impl<'a> Design<'a> {
             robot: &self.model.robot,
             q: &self.rows.inputs.q,
             units: &self.noise.whitened(&self.rows, &units),
-            left: &left,
+            values: &residuals,
             variance,
         };
         orders::strongest(&residual)

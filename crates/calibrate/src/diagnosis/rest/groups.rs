@@ -41,7 +41,7 @@ pub(super) struct Solved {
     unit: DVector<f64>,
     root: Vec<f64>,
     /// Sum of squares that is left.
-    left: f64,
+    rss: f64,
     freedom: f64,
 }
 
@@ -52,11 +52,11 @@ impl Solved {
 
     /// `σ R⁻¹`, whose products are the covariance of the coefficients in units of their standard deviations.
     pub(super) fn deviations(&self) -> DMatrix<f64> {
-        inverse_of_lower(self.factor.l_dirty()) * (self.left / self.freedom).sqrt()
+        inverse_of_lower(self.factor.l_dirty()) * (self.rss / self.freedom).sqrt()
     }
 
     pub(super) fn ln_evidence(&self) -> f64 {
-        -0.5 * ln_determinant(&self.factor) - 0.5 * self.freedom * self.left.ln()
+        -0.5 * ln_determinant(&self.factor) - 0.5 * self.freedom * self.rss.ln()
     }
 
     /// Evidence without some of the columns, which lie side by side: the others' block of the inverse is that
@@ -70,9 +70,9 @@ impl Solved {
         let own = inverse.columns(first, count).into_owned();
         let factor = gram(&own).cholesky()?;
         let unit = self.unit.rows(first, count);
-        let left = self.left + unit.dot(&factor.solve(&unit));
+        let rss = self.rss + unit.dot(&factor.solve(&unit));
         let ln_determinant = ln_determinant(&self.factor) + ln_determinant(&factor);
-        Some(-0.5 * ln_determinant - 0.5 * self.freedom * left.ln())
+        Some(-0.5 * ln_determinant - 0.5 * self.freedom * rss.ln())
     }
 
     /// The strength of the group whose columns these are that fits its coefficients; nothing where the samples
@@ -86,7 +86,7 @@ impl Solved {
         }
         let square = |k: usize| (self.root[k] * self.unit[k]).powi(2);
         let squares: f64 = columns.map(square).sum();
-        squares / (self.left / self.freedom * determined)
+        squares / (self.rss / self.freedom * determined)
     }
 }
 
@@ -147,10 +147,10 @@ impl Remaining {
     /// Once columns with these coefficients have taken theirs.
     pub(super) fn without(&self, coefficients: &DVector<f64>) -> Self {
         let taken = &self.s * coefficients;
-        let left = self.yy - 2.0 * coefficients.dot(&self.g) + coefficients.dot(&taken);
+        let rss = self.yy - 2.0 * coefficients.dot(&self.g) + coefficients.dot(&taken);
         Self {
             g: &self.g - taken,
-            yy: left.max(f64::MIN_POSITIVE),
+            yy: rss.max(f64::MIN_POSITIVE),
             ..self.clone()
         }
     }
@@ -165,12 +165,12 @@ impl Remaining {
         let scaled = DVector::from_fn(n, |k, _| root[k] * self.g[k]);
         let factor = m.cholesky()?;
         let unit = factor.solve(&scaled);
-        let left = self.yy - scaled.dot(&unit);
-        (left > 0.0).then_some(Solved {
+        let rss = self.yy - scaled.dot(&unit);
+        (rss > 0.0).then_some(Solved {
             factor,
             unit,
             root,
-            left,
+            rss,
             freedom: self.freedom,
         })
     }

@@ -39,13 +39,13 @@ impl Whitened {
         samples: usize,
     ) -> Vec<f64> {
         let all = self.raw.as_ref().unwrap_or(&self.white);
-        let mut left = all.column(all.ncols() - 1).into_owned();
+        let mut residuals = all.column(all.ncols() - 1).into_owned();
         let own = all.columns(0, coefficients.len());
-        left.gemv(-1.0, &own, coefficients, 1.0);
+        residuals.gemv(-1.0, &own, coefficients, 1.0);
         let mut squares = vec![0.0; samples];
         for row in rows {
             let (sample, mm) = self.measured[*row];
-            squares[sample] += (mm * left[*row]).powi(2);
+            squares[sample] += (mm * residuals[*row]).powi(2);
         }
         squares
     }

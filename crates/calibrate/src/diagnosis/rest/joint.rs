@@ -21,7 +21,7 @@ use crate::effects::curve::{Curve, DIRECTIONS, Knots, Parts};
 use crate::fit::gap::{deviations, suspects};
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
-use crate::fit::{base_model, noise_beside};
+use crate::fit::{base_model, noise_given};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::text::Text;
@@ -103,7 +103,7 @@ pub(crate) fn repeating<'a>(
     let term = Term::unexplained(joint, curve);
     let comes_back = Folds::come_back(&fitted.columns);
     Some(Repeating {
-        noise: comes_back.then(|| noise_beside(&problem, &model.with_term(term.clone()), &[])),
+        noise: comes_back.then(|| noise_given(&problem, &model.with_term(term.clone()), &[])),
         term,
         held_out_mm: [alone(&identified, folds)?, *before, *after],
         samples: folds.samples(),
@@ -146,9 +146,9 @@ fn settled<'a>(
         fitted = OverJoint::fitted(columns, model, period)?;
     }
     // Time has what is left once the curve has taken what comes back.
-    let left = fitted.left();
+    let residuals = fitted.residuals();
     let mut columns = Columns::new(&problem, model, joint, is_base);
-    if columns.wander(&left) {
+    if columns.wander(&residuals) {
         fitted = OverJoint::fitted(columns, model, period).unwrap_or(fitted);
     }
     Some((problem, fitted))
@@ -333,7 +333,7 @@ impl<'a> OverJoint<'a> {
     }
 
     /// What is left of the samples beside the curve, block by block, mm.
-    fn left(&self) -> Vec<DVector<f64>> {
+    fn residuals(&self) -> Vec<DVector<f64>> {
         let both = self.columns.blocks.iter().zip(&self.parts);
         both.map(|(block, part)| match part.fitted(&self.kernels) {
             Some(fitted) => &block.residual - &part.curve * fitted.values(),

@@ -118,15 +118,15 @@ impl Kernels {
     pub(super) fn likeliest(&self, remaining: &Remaining) -> Option<(Prior, f64)> {
         let parts = remaining.columns() / self.knots();
         let mut best: (Prior, f64) = (vec![None; parts], remaining.alone());
-        let mut left = remaining.clone();
-        while let Some((part, own)) = self.one_more(&left, &best.0) {
+        let mut unexplained = remaining.clone();
+        while let Some((part, own)) = self.one_more(&unexplained, &best.0) {
             let mut with = best.0.clone();
             with[part] = Some(own);
             let (with, ln_evidence) = self.refined(remaining, with);
             if ln_evidence <= best.1 + odds::OPEN.nats() {
                 break;
             }
-            left = remaining.without(&self.fit(remaining, &with)?.values());
+            unexplained = remaining.without(&self.fit(remaining, &with)?.values());
             best = (with, ln_evidence);
         }
         let likelier = best.1 - remaining.alone();
@@ -137,15 +137,15 @@ impl Kernels {
     }
 
     /// The part that alone says most of what the others leave, with its kernel and size.
-    fn one_more(&self, left: &Remaining, before: &Prior) -> Option<(usize, (usize, f64))> {
+    fn one_more(&self, unexplained: &Remaining, before: &Prior) -> Option<(usize, (usize, f64))> {
         let free = (0..before.len()).filter(|part| before[*part].is_none());
         let all = free.flat_map(|part| (0..self.0.len()).map(move |kernel| (part, kernel)));
         let mut best = None;
-        let mut most = left.alone();
+        let mut most = unexplained.alone();
         for (part, kernel) in all {
             let mut prior: Prior = vec![None; before.len()];
             prior[part] = Some((kernel, 1.0));
-            let alone = left.through(&self.combinations(left, &prior));
+            let alone = unexplained.through(&self.combinations(unexplained, &prior));
             let none = vec![0; alone.columns()];
             for size in sizes() {
                 let solved = alone.solved(&none, &[size * size]);

@@ -105,7 +105,7 @@ impl Products {
         let (n, p) = (self.base, self.gram.nrows() - self.base - 1);
         let cross = self.gram.view((0, n), (n, p + 1)).into_owned();
         let inner = self.gram.view((n, n), (p + 1, p + 1));
-        let left = if n == 0 {
+        let projected = if n == 0 {
             inner.into_owned()
         } else {
             // L⁻¹ of the cross products, once: what the base takes is its square.
@@ -113,9 +113,9 @@ impl Products {
             inner - gram(&taken)
         };
         Some((
-            left.view((0, 0), (p, p)).into_owned(),
-            left.view((0, p), (p, 1)).column(0).into_owned(),
-            left[(p, p)],
+            projected.view((0, 0), (p, p)).into_owned(),
+            projected.view((0, p), (p, 1)).column(0).into_owned(),
+            projected[(p, p)],
         ))
     }
 

@@ -49,7 +49,7 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     let alone = regression.fit(&found.fit.model, &[]);
     let base = regression.fit(&regression.base, &[]);
     let unseen = |fit: &Fit| prepared.folds.rms(regression, fit);
-    if prepared.folds.say_something() && unseen(&alone) >= unseen(&base) {
+    if prepared.folds.are_enough() && unseen(&alone) >= unseen(&base) {
         let shapes = found.fit.shapes.clone();
         found.named_effects_only = alone;
         found.fit = regression.fit(&regression.base, &shapes);
@@ -63,7 +63,7 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
         return;
     }
     let floor = floor(prepared, &found.fit);
-    let more = left_mm(prepared, &found.fit) > MOST_OVER_THE_FLOOR * floor.mm;
+    let more = residual_mm(prepared, &found.fit) > MOST_OVER_THE_FLOOR * floor.mm;
     if floor.from != FloorFrom::Estimated && more {
         found.named_effects_only = std::mem::replace(&mut found.fit, base);
         found.base_misfit = true;
@@ -83,11 +83,11 @@ fn likeliest(prepared: &PreparedSearch, mut fit: Fit) -> Fit {
         if regression.work.is_spent() {
             return fit;
         }
-        let above = |r: &Rival| r.other_names() && final_set::is_above(&r.fit, &fit);
+        let above = |r: &Rival| r.other_names() && final_set::is_likelier(&r.fit, &fit);
         let stands = |r: &Rival| {
-            let said = final_set::self_supporting(prepared, r.fit.clone())?;
+            let said = final_set::reportable(prepared, r.fit.clone())?;
             let fits = regression.added(&said).len() <= prepared.cap();
-            (fits && final_set::is_above(&said, &fit)).then_some(said)
+            (fits && final_set::is_likelier(&said, &fit)).then_some(said)
         };
         let rivals = aliases::rivals(regression, &fit).into_iter();
         let goes_on = |_: &Rival| !regression.work.is_spent();
@@ -103,7 +103,7 @@ fn likeliest(prepared: &PreparedSearch, mut fit: Fit) -> Fit {
 }
 
 /// Root mean square length of what a fit leaves, mm.
-pub(crate) fn left_mm(prepared: &PreparedSearch, fit: &Fit) -> f64 {
+pub(crate) fn residual_mm(prepared: &PreparedSearch, fit: &Fit) -> f64 {
     let regression = &prepared.regression;
     if let Some(noise_mm) = regression.rows.noise_mm(&regression.noise) {
         return regression.scale(fit) * noise_mm;

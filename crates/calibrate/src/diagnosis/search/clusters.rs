@@ -25,7 +25,7 @@ pub(super) fn keep(problem: &mut Problem, base: &Model) {
     classes::keep(problem, &suspected);
     let share = count as f64 / fitted.max(1) as f64;
     let mut back = problem.counted().to_vec();
-    let left_mm = LazyCell::new(|| lengths_mm(problem, base));
+    let residual_mm = LazyCell::new(|| lengths_mm(problem, base));
     for joint in 0..problem.inputs.q.len() {
         let q = &problem.inputs.q[joint];
         let of = |i: usize| q[problem.sample_of(i)];
@@ -35,7 +35,7 @@ pub(super) fn keep(problem: &mut Problem, base: &Model) {
             let accident = fitted as f64 * share.powi(i32::try_from(own).unwrap_or(64));
             if own >= fewest::NO_ACCIDENT
                 && accident < odds::LIKELY.chance()
-                && !is_gross(problem, &left_mm, &run)
+                && !is_gross(problem, &residual_mm, &run)
             {
                 for index in run {
                     back[index] = true;
@@ -54,8 +54,11 @@ fn poses_of(problem: &Problem, counted: impl Iterator<Item = usize>) -> usize {
 }
 
 /// Whether most of what is counted here is off by more than any effect.
-fn is_gross(problem: &Problem, left_mm: &[f64], run: &[usize]) -> bool {
-    let mut run: Vec<f64> = run.iter().map(|i| left_mm[problem.sample_of(*i)]).collect();
+fn is_gross(problem: &Problem, residual_mm: &[f64], run: &[usize]) -> bool {
+    let mut run: Vec<f64> = run
+        .iter()
+        .map(|i| residual_mm[problem.sample_of(*i)])
+        .collect();
     run.sort_by(f64::total_cmp);
     run[run.len() / 2] > GROSS_SHARE * problem.session.robot.reach_mm()
 }

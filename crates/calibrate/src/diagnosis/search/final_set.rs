@@ -41,13 +41,13 @@ pub(crate) fn tested(
             let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
             let improbable =
                 || regression.chance_in_noise(worth.minus_ln_p, &fit) > odds::TAKEN.chance();
-            let useless = || prepared.folds.rms(regression, &worth.rest) <= unseen;
-            (unlikely || improbable() || useless()).then_some(worth.rest)
+            let useless = || prepared.folds.rms(regression, &worth.reduced) <= unseen;
+            (unlikely || improbable() || useless()).then_some(worth.reduced)
         });
-        let Some(rest) = worst else {
+        let Some(reduced) = worst else {
             return Ok(fit);
         };
-        fit = rest;
+        fit = reduced;
     }
 }
 
@@ -55,15 +55,15 @@ pub(crate) fn tested(
 pub(crate) const EQUALLY_LIKELY: f64 = 1e-3;
 
 /// Whether a rival is likelier than a fit by more than rounding.
-pub(crate) fn is_above(rival: &Fit, fit: &Fit) -> bool {
+pub(crate) fn is_likelier(rival: &Fit, fit: &Fit) -> bool {
     rival.ln_evidence > fit.ln_evidence + EQUALLY_LIKELY
 }
 
 /// Whether a rival is likelier than a fit, and each of its names carries itself: what does not is no reason to
 /// doubt what does.
-pub(crate) fn stands_above(prepared: &PreparedSearch, rival: &Fit, fit: &Fit) -> bool {
+pub(crate) fn exceeds_when_tested(prepared: &PreparedSearch, rival: &Fit, fit: &Fit) -> bool {
     let tested = || tested(prepared, rival.clone(), &|_| true);
-    is_above(rival, fit) && tested().is_ok_and(|rival| is_above(&rival, fit))
+    is_likelier(rival, fit) && tested().is_ok_and(|rival| is_likelier(&rival, fit))
 }
 
 /// Exchanges names for likelier ones, which a noise that changed since the search or a name that was
@@ -79,7 +79,7 @@ pub(crate) fn exchanged(prepared: &PreparedSearch, found: &mut SearchResult) -> 
         let Some(rival) = rivals.find(fits) else {
             break;
         };
-        if !is_above(&rival.fit, &found.fit) {
+        if !is_likelier(&rival.fit, &found.fit) {
             break;
         }
         found.fit = rival.fit;
@@ -146,7 +146,7 @@ pub(crate) fn test_as_reported(
 
 /// What is said where a search ends with a fit: names that carry themselves, each likelier than another in its
 /// place.
-pub(crate) fn self_supporting(prepared: &PreparedSearch, fit: Fit) -> Option<Fit> {
+pub(crate) fn reportable(prepared: &PreparedSearch, fit: Fit) -> Option<Fit> {
     let watch: Watch = &|_| true;
     let names = fit.clone();
     let mut found = SearchResult::of(tested(prepared, fit, watch).ok()?, names);
@@ -162,7 +162,7 @@ fn one_exchanged(prepared: &PreparedSearch, fit: &Fit) -> Option<Fit> {
         Next::than(prepared, fit, term, &worth)?.fit
     });
     let best = likelier.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence))?;
-    is_above(&best, fit).then_some(best)
+    is_likelier(&best, fit).then_some(best)
 }
 
 #[cfg(test)]

@@ -54,7 +54,7 @@ pub(crate) struct Search<'s, 'a> {
 impl Search<'_, '_> {
     pub(crate) fn run(&self) -> Result<SearchResult, Cancelled> {
         let base = self.regression.fit(&self.regression.base, &[]);
-        self.tell(&Progress::Searching {
+        self.report(&Progress::Searching {
             found: Vec::new(),
             percent: 0,
         })?;
@@ -101,7 +101,7 @@ impl Search<'_, '_> {
         self.pairs(self.forward(fit, allow)?)
     }
 
-    fn tell(&self, progress: &Progress) -> Result<(), Cancelled> {
+    fn report(&self, progress: &Progress) -> Result<(), Cancelled> {
         if (self.watch)(progress) {
             Ok(())
         } else {
@@ -110,9 +110,9 @@ impl Search<'_, '_> {
     }
 
     /// The search is where it has found this; it is never said to be further than it is.
-    pub(super) fn tell_found(&self, fit: &Fit) -> Result<(), Cancelled> {
+    pub(super) fn report_found(&self, fit: &Fit) -> Result<(), Cancelled> {
         let names = self.regression.added(fit).into_iter();
-        self.tell(&Progress::Searching {
+        self.report(&Progress::Searching {
             found: names
                 .map(|term| term.name_on(&self.regression.base.robot))
                 .collect(),
@@ -138,7 +138,7 @@ impl Search<'_, '_> {
                 break;
             }
             fit = next;
-            self.tell_found(&fit)?;
+            self.report_found(&fit)?;
         }
         Ok(fit)
     }

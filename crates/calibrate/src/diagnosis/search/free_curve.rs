@@ -105,7 +105,7 @@ impl BesideCurve {
 /// ```text
 /// ln E = −½ Σ ln(1 + t² e_k) − (m/2) ln(1 − Σ t² z_k²/(1 + t² e_k) / rss),   e, U: eigen of BᵀB,   z = Uᵀ Bᵀ r
 /// ```
-fn pulled_at_its_ends(regression: &Regression, rest: &Fit, joint: usize) -> Option<Curve> {
+fn pulled_at_its_ends(regression: &Regression, reduced: &Fit, joint: usize) -> Option<Curve> {
     let direction = Direction::Tangential(joint);
     let free = regression
         .placed(over(joint, direction, MOST_KNOTS - 1))
@@ -113,7 +113,7 @@ fn pulled_at_its_ends(regression: &Regression, rest: &Fit, joint: usize) -> Opti
     // One unit of the curve moves a sample by one unit of its noise, in the mean.
     let samples = regression.rows.samples.len().max(1) as f64;
     let unit = free.column_sum().norm_squared().max(free.norm_squared()) / samples;
-    let (total, m) = (regression.rounded(rest.rss), regression.m());
+    let (total, m) = (regression.rounded(reduced.rss), regression.m());
     let of_length = |length: f64| {
         let root = DMatrix::from_fn(MOST_KNOTS, 2, |row, end| {
             let from_low = row as f64 / (MOST_KNOTS - 1) as f64;
@@ -121,9 +121,9 @@ fn pulled_at_its_ends(regression: &Regression, rest: &Fit, joint: usize) -> Opti
             (-away / length).exp()
         });
         let mut columns = &*free * root / unit.sqrt();
-        reject_all(&rest.basis.q, &mut columns);
+        reject_all(&reduced.basis.q, &mut columns);
         let own = eigen(columns.tr_mul(&columns));
-        let z = own.eigenvectors.tr_mul(&columns.tr_mul(&rest.residual));
+        let z = own.eigenvectors.tr_mul(&columns.tr_mul(&reduced.residual));
         let of_size = |size: f64| {
             let t2 = size * size;
             let (mut determinant, mut gain) = (0.0, 0.0);
@@ -222,12 +222,12 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_
             let rests = sets.into_iter().map(|set| without(&model, &set));
             let rests = rests.map(|model| (beside(&model), model));
             let best = rests.max_by(|a, b| a.0.ln_evidence.total_cmp(&b.0.ln_evidence));
-            let Some((rest, fewer)) = best.filter(|best| best.0.ln_evidence > most) else {
+            let Some((reduced, fewer)) = best.filter(|best| best.0.ln_evidence > most) else {
                 break;
             };
-            (most, model) = (rest.ln_evidence, fewer);
+            (most, model) = (reduced.ln_evidence, fewer);
             names.retain(|name| model.terms().iter().any(|t| t.same_column(name)));
-            likeliest = Some(rest);
+            likeliest = Some(reduced);
         }
         if let Some(likeliest) = likeliest {
             found.fit = likeliest.into_fit(prepared, joint);
@@ -251,9 +251,9 @@ pub(crate) fn withdraw_of_few_values(prepared: &PreparedSearch, found: &mut Sear
         let of_shapes: usize = shapes.map(|s| s.count() + s.settings()).sum();
         let numbers = 1 + columns(&names) + of_shapes;
         if of_shapes > 0 && !names.is_empty() && survey.values < ENOUGH.min(2 * numbers) {
-            let rest = without(&found.fit.model, &names);
-            let rest = BesideCurve::of(prepared, &rest, &kept, joint);
-            found.fit = rest.into_fit(prepared, joint);
+            let reduced = without(&found.fit.model, &names);
+            let reduced = BesideCurve::of(prepared, &reduced, &kept, joint);
+            found.fit = reduced.into_fit(prepared, joint);
         }
     }
 }
@@ -352,10 +352,10 @@ fn settings(term: &Term) -> usize {
     usize::from(crate::effects::term::setting_quantity(term.effect.about().setting).is_some())
 }
 
-fn with_curve(regression: &Regression, rest: &Fit, curve: Shape, ln_evidence: f64) -> Fit {
-    let mut shapes = rest.shapes.clone();
+fn with_curve(regression: &Regression, reduced: &Fit, curve: Shape, ln_evidence: f64) -> Fit {
+    let mut shapes = reduced.shapes.clone();
     shapes.push(regression.placed(curve));
-    let mut fit = regression.fit(&rest.model, &shapes);
+    let mut fit = regression.fit(&reduced.model, &shapes);
     let credit = ln_evidence - fit.ln_evidence;
     if let Some(curve) = fit.shapes.last_mut() {
         curve.credit = credit;

@@ -32,8 +32,8 @@ mod slowest;
 mod steps;
 mod worth;
 
-pub(crate) use base_misfit::left_mm;
-pub(crate) use final_set::{EQUALLY_LIKELY, is_above, stands_above};
+pub(crate) use base_misfit::residual_mm;
+pub(crate) use final_set::{EQUALLY_LIKELY, exceeds_when_tested, is_likelier};
 pub(crate) use floor::{PureError, floor, pure_error};
 pub(crate) use forward::mean_sigma_mm;
 pub(crate) use found::SearchResult;

@@ -54,17 +54,17 @@ pub(crate) fn together(regression: &Regression, fit: Fit) -> Fit {
     for _ in 0..budget::ROUNDS {
         let before = best.ln_evidence;
         for term in orders(&best) {
-            let rest = regression.without_term(&best, &term);
-            let refined = regression.refined_order(&rest, &at(&term, term.setting.round()));
+            let reduced = regression.without_term(&best, &term);
+            let refined = regression.refined_order(&reduced, &at(&term, term.setting.round()));
             let taken = regression
-                .added(&rest)
+                .added(&reduced)
                 .iter()
                 .any(|t| t.same_column(&refined));
             if taken || refined.same_column(&term) {
                 continue;
             }
             let absent = Term::absent(refined.effect, refined.joint, refined.setting);
-            let next = regression.fit(&rest.model.with_term(absent), &rest.shapes);
+            let next = regression.fit(&reduced.model.with_term(absent), &reduced.shapes);
             if next.ln_evidence > best.ln_evidence {
                 best = next;
             }
@@ -78,10 +78,10 @@ pub(crate) fn together(regression: &Regression, fit: Fit) -> Fit {
 
 /// The fit with every order at the whole number next to it, where these differ.
 fn all_whole(regression: &Regression, fit: &Fit, orders: &[Term]) -> Option<Fit> {
-    let mut rest = fit.model.clone();
+    let mut reduced = fit.model.clone();
     let mut whole: Vec<Term> = Vec::new();
     for term in orders {
-        rest = rest.without(|t| t.same_column(term));
+        reduced = reduced.without(|t| t.same_column(term));
         let next = at(term, term.setting.round());
         if whole.iter().any(|t| t.same_column(&next)) {
             return None;
@@ -89,7 +89,7 @@ fn all_whole(regression: &Regression, fit: &Fit, orders: &[Term]) -> Option<Fit>
         whole.push(next);
     }
     let absent = |t: &Term| Term::absent(t.effect, t.joint, t.setting);
-    let model = whole.iter().fold(rest, |m, t| m.with_term(absent(t)));
+    let model = whole.iter().fold(reduced, |m, t| m.with_term(absent(t)));
     Some(regression.fit(&model, &fit.shapes))
 }
 
@@ -117,8 +117,8 @@ fn whole_set(regression: &Regression, fit: &Fit, joint: usize) -> Option<Fit> {
         return None;
     }
     let model = fit.model.without(|t| set.iter().any(|s| s.same_column(t)));
-    let rest = regression.fit(&model, &fit.shapes);
-    let there = regression.added(&rest);
+    let reduced = regression.fit(&model, &fit.shapes);
+    let there = regression.added(&reduced);
     let candidates: Vec<&Candidate> = regression
         .table
         .candidates
@@ -133,9 +133,9 @@ fn whole_set(regression: &Regression, fit: &Fit, joint: usize) -> Option<Fit> {
         .collect();
     let terms: Vec<&Term> = candidates.iter().filter_map(|c| c.what.term()).collect();
     let mut free = regression.white_columns(&candidates);
-    reject_all(&rest.basis.q, &mut free);
+    reject_all(&reduced.basis.q, &mut free);
     let all = gram(&free);
-    let pulls = free.tr_mul(&rest.residual);
+    let pulls = free.tr_mul(&reduced.residual);
     let gain = |of: &[usize]| {
         let at: Vec<usize> = of.iter().flat_map(|k| [2 * k, 2 * k + 1]).collect();
         let own = all.select_rows(&at).select_columns(&at);
@@ -152,8 +152,8 @@ fn whole_set(regression: &Regression, fit: &Fit, joint: usize) -> Option<Fit> {
             continue;
         };
         let with = likeliest.iter().map(|k| terms[*k].clone());
-        let model = with.fold(rest.model.clone(), |m, t| m.with_term(t));
-        let next = regression.fit(&model, &rest.shapes);
+        let model = with.fold(reduced.model.clone(), |m, t| m.with_term(t));
+        let next = regression.fit(&model, &reduced.shapes);
         if best
             .as_ref()
             .is_none_or(|b| next.ln_evidence > b.ln_evidence)

@@ -43,11 +43,11 @@ pub(crate) fn open_settings(regression: &Regression, fit: &Fit) -> Vec<Rival> {
 }
 
 fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
-    let rest = regression.without_term(fit, term);
-    let there = regression.added(&rest);
-    let enough = fit.ln_evidence - odds::OPEN.nats() - rest.ln_evidence;
+    let reduced = regression.without_term(fit, term);
+    let there = regression.added(&reduced);
+    let enough = fit.ln_evidence - odds::OPEN.nats() - reduced.ln_evidence;
     let mut close: Vec<(f64, &Term)> = regression
-        .scan(&rest, CandidateSubset::Names)
+        .scan(&reduced, CandidateSubset::Names)
         .iter()
         .filter_map(|score| {
             let other = regression.table.candidates[score.candidate].what.term()?;
@@ -70,7 +70,7 @@ fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
         .map(|(_, other)| Rival {
             removed: vec![term.clone()],
             instead: vec![other.clone()],
-            fit: regression.fit(&rest.model.with_term(other.clone()), &rest.shapes),
+            fit: regression.fit(&reduced.model.with_term(other.clone()), &reduced.shapes),
         });
     refitted
         .filter(|r| r.fit.ln_evidence > fit.ln_evidence - odds::OPEN.nats())

@@ -53,13 +53,13 @@ pub(super) fn least_proven(prepared: &PreparedSearch, fit: &Fit) -> Option<Term>
             // −ln p of some columns: of the term alone, and of what is proven together with it.
             let of = |own: &[usize]| {
                 let kept: Vec<usize> = (0..width).filter(|k| !own.contains(k)).collect();
-                let rest: DMatrix<f64> = all.select_columns(&kept);
-                let mut left = residual.clone();
+                let reduced: DMatrix<f64> = all.select_columns(&kept);
+                let mut partial_residual = residual.clone();
                 for k in own {
-                    left.axpy(coefficients[*k], &all.column(*k), 1.0);
+                    partial_residual.axpy(coefficients[*k], &all.column(*k), 1.0);
                 }
-                let basis = Basis::new(&rest);
-                let without = basis.reject(&left).norm_squared();
+                let basis = Basis::new(&reduced);
+                let without = basis.reject(&partial_residual).norm_squared();
                 let share = (1.0 - with / without.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
                 let rank = whole.rank().saturating_sub(basis.rank()).max(1);
                 Significance::new(rank, freedom).of(share)

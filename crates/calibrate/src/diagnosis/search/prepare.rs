@@ -18,7 +18,7 @@ use crate::diagnosis::evidence::Folds;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::effects::{Over, Survey, Term};
-use crate::fit::gap::{Deviations, deviations, suspects_beside};
+use crate::fit::gap::{Deviations, deviations, suspects_given};
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
@@ -175,9 +175,9 @@ impl<'a> PreparedSearch<'a> {
             }
         } else {
             let columns = self.table().space.on_all(&self.problem, &found.fit.shapes);
-            let mut left = deviations_beside(&self.problem, &columns, &found.fit);
+            let mut residuals = deviations_with(&self.problem, &columns, &found.fit);
             let model = &found.fit.model;
-            let suspected = suspects_beside(&self.problem, &mut left, model, rank, covariance);
+            let suspected = suspects_given(&self.problem, &mut residuals, model, rank, covariance);
             let kept = self.problem.fit.iter().zip(suspected);
             now.used = kept.map(|(fit, suspected)| *fit && !suspected).collect();
         }
@@ -188,7 +188,7 @@ impl<'a> PreparedSearch<'a> {
         if !same {
             self.problem = Rc::new(now);
         }
-        let noise = noise_beside_many(&self.regression, Some(&found.fit));
+        let noise = noise_given_many(&self.regression, Some(&found.fit));
         if same && noise.whitens_like(&self.regression.noise) {
             return false;
         }
@@ -229,7 +229,7 @@ impl<'a> PreparedSearch<'a> {
 
     /// The noise that the base alone leaves, where that has a slow part: the rival of every name.
     pub(crate) fn slow_noise(&self) -> Option<Noise> {
-        self.slow_beside(&self.regression.base)
+        self.slow_noise_given(&self.regression.base)
     }
 
     /// The noise that is left where the names that follow the time alone are taken out of a fit, and
@@ -237,10 +237,10 @@ impl<'a> PreparedSearch<'a> {
     pub(crate) fn slow_noise_instead(&self, fit: &Fit) -> Option<Noise> {
         let follows_time = |t: &Term| t.effect.about().over == Over::Time;
         let any = fit.model.terms().iter().any(follows_time);
-        any.then(|| self.slow_beside(&fit.model.without(follows_time)))?
+        any.then(|| self.slow_noise_given(&fit.model.without(follows_time)))?
     }
 
-    fn slow_beside(&self, model: &Model) -> Option<Noise> {
+    fn slow_noise_given(&self, model: &Model) -> Option<Noise> {
         let regression = &self.regression;
         let fit = regression.fit(model, &[]);
         let noise = noise_of(regression, &fit);
@@ -291,24 +291,24 @@ fn refitted(regression: &Regression, fit: &Fit) -> Fit {
 }
 
 /// What a fit with shapes leaves of every sample.
-fn deviations_beside(problem: &Problem, beside: &[[Vec<f64>; 3]], fit: &Fit) -> Deviations {
-    let mut left = deviations(problem, &fit.model);
+fn deviations_with(problem: &Problem, beside: &[[Vec<f64>; 3]], fit: &Fit) -> Deviations {
+    let mut residuals = deviations(problem, &fit.model);
     if beside.is_empty() {
-        return left;
+        return residuals;
     }
     let coefficients = fit.shapes.iter().flat_map(|s| s.coefficients.iter());
     for (column, coefficient) in beside.iter().zip(coefficients) {
         for (axis, values) in column.iter().enumerate() {
-            for (e, value) in left.axes_mm[axis].iter_mut().zip(values) {
+            for (e, value) in residuals.axes_mm[axis].iter_mut().zip(values) {
                 *e -= coefficient * value;
             }
         }
     }
-    for i in 0..left.length_mm.len() {
-        let square: f64 = left.axes_mm.iter().map(|e| e[i] * e[i]).sum();
-        left.length_mm[i] = square.sqrt();
+    for i in 0..residuals.length_mm.len() {
+        let square: f64 = residuals.axes_mm.iter().map(|e| e[i] * e[i]).sum();
+        residuals.length_mm[i] = square.sqrt();
     }
-    left
+    residuals
 }
 
 /// The regression of a problem, whose outliers are looked for beside many columns at once first: what
@@ -322,7 +322,7 @@ fn regression<'a>(
     clusters::keep(problem, base);
     let mut regression = bare_regression(problem, base, survey, options);
     for _ in 0..2 {
-        let suspected = super::robust::suspected_beside_many(problem, &regression, MOST_SAMPLES);
+        let suspected = super::robust::suspected_given_many(problem, &regression, MOST_SAMPLES);
         let before = problem.counted().to_vec();
         let mut now = before.clone();
         for (index, suspected) in suspected {
@@ -337,7 +337,7 @@ fn regression<'a>(
         drop(regression);
         regression = bare_regression(problem, base, survey, options);
     }
-    let noise = noise_beside_many(&regression, None);
+    let noise = noise_given_many(&regression, None);
     regression.with_noise(noise)
 }
 
@@ -363,7 +363,7 @@ fn bare_regression<'a>(
 
 /// Noise beside the base (and what was found) with many candidates at once, so that what has not
 /// been found yet is not taken for noise.
-fn noise_beside_many(regression: &Regression, found: Option<&Fit>) -> Noise {
+fn noise_given_many(regression: &Regression, found: Option<&Fit>) -> Noise {
     let model = found.map_or(&regression.base, |f| &f.model);
     let rich = regression.table.columns.raw_of(&regression.table.rich);
     let shapes = found.iter().flat_map(|f| &f.shapes).map(|s| &*s.raw);

@@ -63,7 +63,7 @@ pub(crate) fn searched<'a>(
     found = search_again(&mut prepared, found, watch)?;
     // 3. Against a slow part of the noise and against free curves: the likelier end wins.
     work.up_to(RIVALS);
-    (prepared, found) = hold_rivals_against(prepared, found, watch)?;
+    (prepared, found) = compare_with_rivals(prepared, found, watch)?;
     slowest::readings(&prepared, &mut found);
     free_curve::rival(&prepared, &mut found, true);
     // 4. Each name against the rest, and against other sets that are as likely.
@@ -118,7 +118,7 @@ fn search_again(
 
 /// What was found against its rivals that are no names. A search that may not go on leaves names unsaid: neither
 /// a slow part of the noise nor a free curve is held against those it has, and the verdict says that something is left.
-fn hold_rivals_against<'a>(
+fn compare_with_rivals<'a>(
     prepared: PreparedSearch<'a>,
     found: SearchResult,
     watch: Watch,
@@ -165,12 +165,13 @@ fn against_rivals<'a>(
     for noise in white.into_iter().chain(slow).chain(instead) {
         let known = &prepared.regression.noise;
         let (rival, end) = settled_search(prepared.with_noise(noise), known, watch)?;
-        let loser = if standing(&rival, &end) > standing(&prepared, &found) {
-            prepared = rival;
-            std::mem::replace(&mut found, end)
-        } else {
-            end
-        };
+        let loser =
+            if comparable_ln_evidence(&rival, &end) > comparable_ln_evidence(&prepared, &found) {
+                prepared = rival;
+                std::mem::replace(&mut found, end)
+            } else {
+                end
+            };
         others.push(loser.fit);
     }
     let noise = prepared.regression.noise.clone();
@@ -197,7 +198,7 @@ fn against_rivals<'a>(
 /// How likely an end of a search is beside the others. A step or a drift of the measuring frame is a
 /// movement of the frame as a slow part of the noise is, and no set of equivalent names can hold the
 /// noise: such a name stands unless the noise rules it out.
-fn standing(prepared: &PreparedSearch, end: &SearchResult) -> f64 {
+fn comparable_ln_evidence(prepared: &PreparedSearch, end: &SearchResult) -> f64 {
     let names = prepared.regression.added(&end.fit);
     let of_the_frame = |t: &&Term| t.effect.about().owner == Owner::Session;
     let only = !names.is_empty() && names.iter().all(of_the_frame);

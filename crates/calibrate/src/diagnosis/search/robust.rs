@@ -40,7 +40,7 @@ const ROUNDS: [usize; 2] = [3, 6];
 const TUNING: [f64; 2] = [2.8, 5.5];
 
 /// Samples that were looked at, and whether they are suspected.
-pub(crate) fn suspected_beside_many(
+pub(crate) fn suspected_given_many(
     problem: &Problem,
     regression: &Regression,
     most: usize,
@@ -73,19 +73,19 @@ pub(crate) fn suspected_beside_many(
         return Vec::new();
     }
     let mut weights = vec![1.0; n];
-    let mut left = residual.clone();
+    let mut residuals = residual.clone();
     for (stage, rounds) in ROUNDS.into_iter().enumerate() {
         for _ in 0..rounds {
             let Some(fitted) = weighted(&q, &residual, [&weights, &share], axes) else {
                 return Vec::new();
             };
             let kept = fitted.kept;
-            left = fitted.left;
+            residuals = fitted.residuals;
             let lengths: Vec<f64> = (0..n)
                 .map(|i| {
                     let squares = (0..axes).map(|a| {
                         let row = a * n + i;
-                        left[row] * left[row] / kept[row]
+                        residuals[row] * residuals[row] / kept[row]
                     });
                     squares.sum::<f64>().sqrt() * as_of_three(&rows, i)
                 })
@@ -117,7 +117,7 @@ pub(crate) fn suspected_beside_many(
     let deviations: Vec<Vec<f64>> = (0..axes)
         .map(|a| {
             (0..n)
-                .map(|i| left[a * n + i] / kept[a * n + i].sqrt())
+                .map(|i| residuals[a * n + i] / kept[a * n + i].sqrt())
                 .collect()
         })
         .collect();
@@ -178,10 +178,10 @@ fn not_acquitted(
         for k in 0..own_rows.len() {
             kept[(k, k)] += 1.0;
         }
-        let e = fitted.left.select_rows(&own_rows);
+        let e = fitted.residuals.select_rows(&own_rows);
         let others = kept.lu().solve(&e);
         let half = 0.5 * of_base.select_rows(&own_rows).norm();
-        if !others.is_some_and(|left| left.norm() < half) {
+        if !others.is_some_and(|residuals| residuals.norm() < half) {
             condemned.extend(own.iter().copied().filter(&is_suspect));
         }
     }
@@ -200,7 +200,7 @@ fn as_of_three(rows: &Rows, observation: usize) -> f64 {
 /// A weighted fit.
 struct Weighted {
     /// What it leaves.
-    left: DVector<f64>,
+    residuals: DVector<f64>,
     /// Of each row the variance that it leaves of the noise.
     kept: Vec<f64>,
     /// `L⁻¹ Qᵀ`, where `L Lᵀ = Qᵀ W Q`.
@@ -229,7 +229,7 @@ fn weighted(
     }
     let factor = gram.cholesky()?;
     let step = factor.solve(&scaled.tr_mul(residual));
-    let left = residual - q * step;
+    let residuals = residual - q * step;
     let spread = solve_lower(factor.l_dirty(), q.transpose());
     let kept = (0..axes * n)
         .map(|row| {
@@ -245,5 +245,9 @@ fn weighted(
                 })
         })
         .collect();
-    Some(Weighted { left, kept, spread })
+    Some(Weighted {
+        residuals,
+        kept,
+        spread,
+    })
 }

@@ -10,7 +10,7 @@ use crate::diagnosis::evidence::Significance;
 #[derive(Debug, Clone)]
 pub(crate) struct Worth {
     /// The fit without it.
-    pub(crate) rest: Fit,
+    pub(crate) reduced: Fit,
     /// −ln p on the scale of the family-wise test.
     pub(crate) minus_ln_p: f64,
     /// Logarithm of how much likelier the fit is with it.
@@ -20,10 +20,10 @@ pub(crate) struct Worth {
 /// What a term is worth beside the others of a fit.
 pub(crate) fn worth(prepared: &PreparedSearch, fit: &Fit, term: &Term) -> Worth {
     let regression = &prepared.regression;
-    let rest = regression.without_term(fit, term);
-    let rank = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
+    let reduced = regression.without_term(fit, term);
+    let rank = fit.basis.rank().saturating_sub(reduced.basis.rank()).max(1);
     let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);
-    let share = ((rest.rss - fit.rss) / rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
+    let share = ((reduced.rss - fit.rss) / reduced.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
     let tried = regression.price_of_term(term);
     let mut minus_ln_p = Significance::new(rank, freedom).of(share) - 0.5 * tried;
     // Orders of one gear that are there together are no chance if all of them are none.
@@ -37,7 +37,7 @@ pub(crate) fn worth(prepared: &PreparedSearch, fit: &Fit, term: &Term) -> Worth 
     }
     Worth {
         minus_ln_p,
-        ln_odds: fit.ln_evidence - rest.ln_evidence,
-        rest,
+        ln_odds: fit.ln_evidence - reduced.ln_evidence,
+        reduced,
     }
 }

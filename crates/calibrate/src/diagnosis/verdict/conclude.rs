@@ -56,20 +56,20 @@ pub(crate) fn answer(
     let mut next_poses = proposal.poses.clone();
     to_raw(&mut next_poses, &set_up, &session.robot);
     let found = found(prepared, &end.fit, &named.steps, &floor, &named.values);
-    let mut left = unexplained(prepared, end, session);
+    let mut unexplained = unexplained(prepared, end, session);
     judgement::judge(
         prepared,
         end,
         &named.judged,
         &floor,
         &figures.held_out,
-        &mut left,
+        &mut unexplained,
     );
-    tell_what_is_open(prepared, &named.dropped, &mut left);
+    report_open_questions(prepared, &named.dropped, &mut unexplained);
     // What predicts without a name joins the model once everything is said of the names, whose fits need no room
     // any more.
     regression.forget();
-    let with = Predicting::with(prepared, &named, found.len(), &left);
+    let with = Predicting::with(prepared, &named, found.len(), &unexplained);
     let mut identification = identification(prepared, &named.alone, &with.values);
     let outliers = &mut identification.outliers;
     // In ascending order.
@@ -83,12 +83,12 @@ pub(crate) fn answer(
         &corrected.problems,
     );
     if let Some(why) = gross {
-        tell_gross(why, with.figures.gap.end_mm, &mut left);
+        report_gross_error(why, with.figures.gap.end_mm, &mut unexplained);
     }
     Ok(Diagnosis {
         session: session.name.clone(),
         samples: session.samples.len(),
-        verdict: judgement::of(found.is_empty(), left.present),
+        verdict: judgement::of(found.is_empty(), unexplained.present),
         data_problems: [
             &*corrected.problems,
             prepared.incomplete.as_slice(),
@@ -100,7 +100,7 @@ pub(crate) fn answer(
         stopped: regression.work.ended(),
         floor,
         equivalent: equivalents(&open.rivals, &end.fit, &proposal, |t| named.is_dropped(t)),
-        unexplained: left,
+        unexplained: unexplained,
         not_testable: open.not_testable,
         not_found: limits::limits(regression, &end.fit),
         outliers: identification.outliers.clone(),
@@ -122,13 +122,13 @@ pub(crate) fn answer(
 }
 
 /// An error that no noise is so large as is unexplained, whatever the floor says.
-fn tell_gross(why: Text, end_mm: f64, left: &mut Unexplained) {
-    if !left.present {
-        left.present = true;
-        left.place = None;
-        left.rms_mm = end_mm;
+fn report_gross_error(why: Text, end_mm: f64, unexplained: &mut Unexplained) {
+    if !unexplained.present {
+        unexplained.present = true;
+        unexplained.place = None;
+        unexplained.rms_mm = end_mm;
     }
-    left.description = behind(why, std::mem::take(&mut left.description));
+    unexplained.description = behind(why, std::mem::take(&mut unexplained.description));
 }
 
 /// The noise as it is said. Of several kinds of measurement the search knows one number, which stands for σ of
@@ -146,9 +146,13 @@ fn noise_of(prepared: &PreparedSearch, values: &Values) -> Noise {
 }
 
 /// Says which names were found and are not handed out, and that the search was stopped.
-fn tell_what_is_open(prepared: &PreparedSearch, dropped: &[Term], unexplained: &mut Unexplained) {
+fn report_open_questions(
+    prepared: &PreparedSearch,
+    dropped: &[Term],
+    unexplained: &mut Unexplained,
+) {
     if !dropped.is_empty() {
-        tell_dropped(unexplained, dropped, prepared.problem.session);
+        report_dropped(unexplained, dropped, prepared.problem.session);
     }
     if let Some(why) = prepared.regression.work.ended() {
         unexplained.present = true;
@@ -161,7 +165,7 @@ fn tell_what_is_open(prepared: &PreparedSearch, dropped: &[Term], unexplained: &
 fn identification(prepared: &PreparedSearch, fit: &Fit, own: &Values) -> Identification {
     let held = prepared.not_identifiable.clone();
     let mut identification = own.identification(&prepared.nominal, held);
-    tell_unseen(prepared, fit, &mut identification.kinds);
+    add_unseen_errors(prepared, fit, &mut identification.kinds);
     if base_model::is_arm(own.problem.session) {
         let covariance = own.covariance.as_ref();
         identification.expected = covariance
@@ -171,7 +175,7 @@ fn identification(prepared: &PreparedSearch, fit: &Fit, own: &Values) -> Identif
 }
 
 /// Puts beside the errors of every kind those that no fit has seen.
-fn tell_unseen(prepared: &PreparedSearch, fit: &Fit, kinds: &mut [KindFigures]) {
+fn add_unseen_errors(prepared: &PreparedSearch, fit: &Fit, kinds: &mut [KindFigures]) {
     let regression = &prepared.regression;
     let Some(rows) = regression.rows.observed() else {
         return;
@@ -199,7 +203,7 @@ fn set_up(session: &Session, joint_values: JointValues) -> SetUp {
 }
 
 /// Says which names were found and are not handed out.
-fn tell_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Session) {
+fn report_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Session) {
     let names: Vec<String> = dropped
         .iter()
         .map(|term| term.name_on(&session.robot))

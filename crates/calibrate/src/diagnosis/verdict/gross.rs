@@ -26,15 +26,15 @@ pub(super) fn beyond_noise(
         return Some(problem.what.clone());
     }
     let size_mm = size_mm(prepared);
-    for (left_mm, figure) in [
+    for (residual_mm, figure) in [
         (gap.end_mm, phrase!("the remaining error")),
         (floor.mm, phrase!("the floor")),
     ] {
-        if is_gross(left_mm, size_mm) {
+        if is_gross(residual_mm, size_mm) {
             return Some(text!(
                 "{figure} is {left} on a robot of {size}: no noise is so large",
                 figure,
-                left = length(left_mm, 3),
+                left = length(residual_mm, 3),
                 size = length(size_mm, 0)
             ));
         }

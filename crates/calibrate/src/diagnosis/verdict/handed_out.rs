@@ -103,7 +103,7 @@ pub(crate) fn choose<'a>(
     };
     let no_worse = |c: &WayToValues| against.is_no_worse(c);
     let handed_out = |own, dropped| against.handed_out(own, dropped);
-    let beside = judged.is_beside_shapes();
+    let beside = judged.has_shapes();
     let found = regression.added(names).len();
     let raw = if beside || judged.is_corrected() {
         Values::of(prepared, problem, names, stopped)
@@ -115,17 +115,21 @@ pub(crate) fn choose<'a>(
     } else {
         judged.clone()
     };
-    let told_apart = beside && is_told_apart(judged, &corrected);
+    let distinguished = beside && is_distinguishable(judged, &corrected);
     // Intervals of what is handed out.
-    let unsure = if told_apart { judged } else { &corrected };
-    if told_apart {
+    let unsure = if distinguished { judged } else { &corrected };
+    if distinguished {
         let own = candidate(judged.clone(), with_shapes, Procedure::BesideShapes);
         if no_worse(&own) {
             return handed_out(own, Vec::new());
         }
     }
     if found == 0 && has_set_aside(problem) {
-        let own = candidate(corrected.clone().sure_as(unsure), names, Procedure::Names);
+        let own = candidate(
+            corrected.clone().with_intervals_of(unsure),
+            names,
+            Procedure::Names,
+        );
         if against.gains(&own) {
             // Unseen samples are predicted by the same procedure, without the others.
             return HandedOut {
@@ -136,7 +140,7 @@ pub(crate) fn choose<'a>(
     }
     if found > 0 {
         for values in [corrected.clone(), raw] {
-            let own = candidate(values.sure_as(unsure), names, Procedure::Names);
+            let own = candidate(values.with_intervals_of(unsure), names, Procedure::Names);
             if no_worse(&own) {
                 return handed_out(own, Vec::new());
             }
@@ -257,19 +261,19 @@ fn has_set_aside(problem: &Problem) -> bool {
 
 /// The median deviation over the same samples, mm.
 fn median_mm(problem: &Problem, model: &Model) -> f64 {
-    let left_mm = lengths_mm(problem, model);
-    let samples = left_mm.iter().zip(&problem.used);
+    let residual_mm = lengths_mm(problem, model);
+    let samples = residual_mm.iter().zip(&problem.used);
     let used = samples.filter(|(_, used)| **used);
     median(used.map(|(mm, _)| *mm)).unwrap_or(0.0)
 }
 
 /// Whether shapes are told from the model that they were fitted beside: what they take of it is no more
 /// than what they show beyond all that it can do itself.
-fn is_told_apart(beside: &Values, names: &Values) -> bool {
+fn is_distinguishable(beside: &Values, names: &Values) -> bool {
     let square = |mm: f64| mm * mm;
     let alone = square(names.rms_mm());
     let taken = square(beside.rms_mm()) - alone;
-    let shown = alone - square(beside.rms_with_beside_mm());
+    let shown = alone - square(beside.rms_with_shapes_mm());
     taken <= shown
 }
 

@@ -208,7 +208,7 @@ fn against_stated(prepared: &PreparedSearch, values: &Values) -> Option<StatedNo
 
 /// F of the lack of fit against pure error.
 fn lack_of_fit(values: &Values, pure: &PureError) -> Excess {
-    let (variance, freedom) = values.beside_returns();
+    let (variance, freedom) = values.expected_of_returns();
     let beyond = freedom - pure.freedom;
     let none = Excess {
         ratio: 1.0,

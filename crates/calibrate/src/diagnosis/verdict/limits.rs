@@ -17,7 +17,7 @@ use crate::diagnosis::evidence::{bisected, weight_of};
 
 /// Limits of every name that was tried and is not in the model.
 pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
-    let around = regression.surroundings(fit, CandidateSubset::Names);
+    let around = regression.projections(fit, CandidateSubset::Names);
     let freedom = regression.m() - fit.basis.rank() as f64;
     let scale = regression.scale(fit).max(1e-300);
     let threshold = regression.minus_ln_p_for(odds::TAKEN.chance(), fit);

@@ -15,7 +15,7 @@ use crate::diagnosis::evidence::rival::Rival;
 use crate::diagnosis::search::SearchResult as SearchEnd;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::{aliases, other_settings};
-use crate::diagnosis::search::{is_above, stands_above};
+use crate::diagnosis::search::{exceeds_when_tested, is_likelier};
 
 /// What stays undecided, for the proposal of poses.
 pub struct Undecided<'u, 'a> {
@@ -61,11 +61,11 @@ impl OpenQuestions {
         // What is likelier and carries itself has taken the place already; what does not is no rival.
         let mut held = 0;
         rivals.retain(|r| {
-            if !is_above(&r.fit, fit) {
+            if !is_likelier(&r.fit, fit) {
                 return true;
             }
             held += 1;
-            held <= budget::LIKELIEST && stands_above(prepared, &r.fit, fit)
+            held <= budget::LIKELIEST && exceeds_when_tested(prepared, &r.fit, fit)
         });
         let others = &end.other_ends;
         rivals.extend(aliases::under_another_noise(regression, fit, others));

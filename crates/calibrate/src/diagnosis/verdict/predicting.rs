@@ -31,7 +31,7 @@ impl<'a> Predicting<'a> {
         prepared: &PreparedSearch<'a>,
         named: &Named<'a>,
         names: usize,
-        left: &Unexplained,
+        unexplained: &Unexplained,
     ) -> Self {
         let completed = completed(prepared, &named.values, names, &named.figures);
         let (values, figures) =
@@ -54,7 +54,8 @@ impl<'a> Predicting<'a> {
                 ..plain
             };
         }
-        let Some(own) = repeating::beside(prepared, &plain.values, left, &plain.figures) else {
+        let Some(own) = repeating::beside(prepared, &plain.values, unexplained, &plain.figures)
+        else {
             return plain;
         };
         let mut names = plain.names;
@@ -99,7 +100,7 @@ impl<'a> Predicting<'a> {
 fn shows_little(values: &Values) -> bool {
     let inputs = &values.problem.inputs;
     let joints = values.model.robot.joints.iter();
-    let least = joints.map(|joint| STANDS[usize::from(joint.kind == JointKind::Prismatic)]);
+    let least = joints.map(|joint| STANDSTILL[usize::from(joint.kind == JointKind::Prismatic)]);
     let least: Vec<f64> = least.collect();
     let stands = |(q, least): (&Cow<[f64]>, &f64)| {
         let [from, to] = extent(q.iter());
@@ -119,7 +120,7 @@ fn shows_little(values: &Values) -> bool {
 
 /// A joint whose values differ by less stood still, rad and mm: of a link a turn shows less than a sixtieth, and with a usual
 /// noise of 0.02 mm a slide shows its direction no better than to 1/50.
-const STANDS: [f64; 2] = [1.0 / 60.0, 1.0];
+const STANDSTILL: [f64; 2] = [1.0 / 60.0, 1.0];
 
 /// The values with what no sample shows where it is expected; samples that are held out are predicted with it, and
 /// where names stand in the model no worse than `identify` does.

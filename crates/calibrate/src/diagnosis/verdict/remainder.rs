@@ -11,9 +11,9 @@ use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::search::SearchResult as SearchEnd;
 use crate::diagnosis::search::floor;
-use crate::diagnosis::search::left_mm;
 use crate::diagnosis::search::mean_sigma_mm;
 use crate::diagnosis::search::prepare::PreparedSearch;
+use crate::diagnosis::search::residual_mm;
 use crate::linear::Basis;
 use crate::model::shapes::{Shape, Variable, Where};
 
@@ -49,12 +49,13 @@ pub(crate) fn unexplained(
     let (main, main_gain) = order[0];
     let shape = fit.shapes[main].shape;
     let range = regression.table.space.range(shape.variable);
-    let rest = regression.without_shape(fit, main);
+    let reduced = regression.without_shape(fit, main);
     let freedom = (regression.m() - fit.basis.rank() as f64).max(1.0);
     let k = fit.shapes[main].white.ncols();
     let test = crate::diagnosis::evidence::Significance::new(k, freedom);
-    let minus_ln_p =
-        test.of(main_gain / rest.rss.max(1e-300)) - 0.5 * shape.tried.max(1.0).ln() - 3.0_f64.ln();
+    let minus_ln_p = test.of(main_gain / reduced.rss.max(1e-300))
+        - 0.5 * shape.tried.max(1.0).ln()
+        - 3.0_f64.ln();
     Unexplained {
         present: true,
         p: regression.family_p(minus_ln_p, fit).p,
@@ -112,21 +113,23 @@ fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
 
 /// What is left of a base model that does not fit.
 fn of_the_base(prepared: &PreparedSearch, end: &SearchEnd) -> Unexplained {
-    let left = without_shapes(prepared, &end.fit);
+    let unexplained = without_shapes(prepared, &end.fit);
     // Estimated from what the base leaves, the floor would be all of it.
     let floor_mm = floor(prepared, &end.named_effects_only).mm;
-    let left_mm = left_mm(prepared, &end.fit);
+    let residual_mm = residual_mm(prepared, &end.fit);
     let robot = &prepared.problem.session.robot;
     let names = prepared.regression.added(&end.named_effects_only);
     Unexplained {
         present: true,
-        rms_mm: (left_mm * left_mm - floor_mm * floor_mm).max(0.0).sqrt(),
+        rms_mm: (residual_mm * residual_mm - floor_mm * floor_mm)
+            .max(0.0)
+            .sqrt(),
         resembles: names.iter().map(|t| t.name_on(robot)).collect(),
         description: text!(
             "the base model does not fit: axes, tool or masses; {rest}",
-            rest = &left.description
+            rest = &unexplained.description
         ),
-        ..left
+        ..unexplained
     }
 }
 

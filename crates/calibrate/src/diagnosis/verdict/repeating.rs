@@ -127,8 +127,8 @@ pub(super) fn beside(
 
 /// The median deviation of all samples that may be fitted, mm.
 fn median_mm(problem: &Problem, model: &Model) -> f64 {
-    let left_mm = lengths_mm(problem, model);
-    let fitted = left_mm.iter().zip(&problem.fit).filter(|own| *own.1);
+    let residual_mm = lengths_mm(problem, model);
+    let fitted = residual_mm.iter().zip(&problem.fit).filter(|own| *own.1);
     median(fitted.map(|own| *own.0).filter(|mm| mm.is_finite())).unwrap_or(0.0)
 }
 
@@ -156,8 +156,8 @@ fn of_held_out_samples(
     };
     let with = model.with_term(term);
     Some([model, &with].map(|model| {
-        let left_mm = lengths_mm(&prepared.problem, model);
-        unseen::rms_apart_mm(prepared, &left_mm)
+        let residual_mm = lengths_mm(&prepared.problem, model);
+        unseen::rms_apart_mm(prepared, &residual_mm)
     }))
 }
 

@@ -23,13 +23,13 @@ pub(crate) fn within_s(prepared: &PreparedSearch, term: &Term, worth: &Worth) ->
         return None;
     }
     let regression = &prepared.regression;
-    let scores = regression.scan(&worth.rest, CandidateSubset::Names);
+    let scores = regression.scan(&worth.reduced, CandidateSubset::Names);
     let mut tried: Vec<(f64, f64)> = scores
         .iter()
         .filter_map(|score| {
             let other = regression.table.candidates[score.candidate].what.term()?;
             let same = other.effect.about().id == about.id && other.joint == term.joint;
-            let share = (score.gain / worth.rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-12);
+            let share = (score.gain / worth.reduced.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-12);
             same.then(|| (other.setting, -0.5 * regression.m() * (-share).ln_1p()))
         })
         .collect();

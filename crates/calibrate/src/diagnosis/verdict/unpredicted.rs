@@ -32,9 +32,9 @@ pub(crate) fn missed(prepared: &PreparedSearch, values: &Values, floor: &Floor) 
     }
     let problem = &values.problem;
     let held_out = problem.session.samples.held_out.as_deref()?;
-    let left_mm = lengths_mm(problem, &values.model);
-    let is_apart = |i: &usize| problem.usable[*i] && held_out[*i] && left_mm[*i].is_finite();
-    let apart: Vec<usize> = (0..left_mm.len()).filter(is_apart).collect();
+    let residual_mm = lengths_mm(problem, &values.model);
+    let is_apart = |i: &usize| problem.usable[*i] && held_out[*i] && residual_mm[*i].is_finite();
+    let apart: Vec<usize> = (0..residual_mm.len()).filter(is_apart).collect();
     if apart.len() < fewest::TO_JUDGE {
         return None;
     }
@@ -53,8 +53,11 @@ pub(crate) fn missed(prepared: &PreparedSearch, values: &Values, floor: &Floor) 
         .zip(&unseen)
         .map(|(own, unseen)| own.hypot(*unseen));
     let times = apart.iter().zip(uncertain);
-    let times = times.map(|(i, own)| left_mm[*i] / (wider * own.hypot(floor.mm)));
-    let (times, error) = (median(times)?, median(apart.iter().map(|i| left_mm[*i]))?);
+    let times = times.map(|(i, own)| residual_mm[*i] / (wider * own.hypot(floor.mm)));
+    let (times, error) = (
+        median(times)?,
+        median(apart.iter().map(|i| residual_mm[*i]))?,
+    );
     (times > MOST_TIMES).then(|| {
         text!(
             "half of the held-out samples are {error} off and more, {times} times what noise and all that is uncertain of the model explain",

@@ -38,7 +38,7 @@ pub(crate) fn of(prepared: &PreparedSearch, fit: &Fit, procedure: Procedure) -> 
         Procedure::BesideShapes => folds.rms_mm_of_the_model(regression, fit),
         Procedure::Identify | Procedure::Names => folds.rms_mm(regression, fit),
     };
-    let says = prepared.folds.say_something();
+    let says = prepared.folds.are_enough();
     says.then(|| prepared.unseen_mm(fit, of_folds))
 }
 
@@ -65,11 +65,11 @@ pub(super) fn is_cross_fitted(prepared: &PreparedSearch) -> bool {
 
 /// Root mean square length of what is left of them, mm; samples far off are suspected here as they are
 /// elsewhere.
-pub(super) fn rms_apart_mm(prepared: &PreparedSearch, left_mm: &[f64]) -> f64 {
+pub(super) fn rms_apart_mm(prepared: &PreparedSearch, residual_mm: &[f64]) -> f64 {
     let apart = held_out_samples(prepared);
     let mut lengths: Vec<f64> = (0..apart.len())
         .filter(|i| apart[*i])
-        .map(|i| left_mm[i])
+        .map(|i| residual_mm[i])
         // Of a row that measures no length.
         .filter(|length| !length.is_nan())
         .collect();
@@ -77,9 +77,9 @@ pub(super) fn rms_apart_mm(prepared: &PreparedSearch, left_mm: &[f64]) -> f64 {
     let count = lengths.len();
     let limit = 5.0 * lengths.get(count / 2).copied().unwrap_or(f64::NAN);
     let spread = Spread::of(
-        left_mm,
+        residual_mm,
         |i| apart[i],
-        |i| count >= fewest::TO_JUDGE && left_mm[i] > limit,
+        |i| count >= fewest::TO_JUDGE && residual_mm[i] > limit,
     );
     spread.map_or(0.0, |s| s.rms_mm)
 }
@@ -117,7 +117,7 @@ pub(crate) fn held_out(
             gaps: gaps(rms_apart_mm(prepared, nominal_mm)),
         };
     }
-    if !prepared.folds.say_something() {
+    if !prepared.folds.are_enough() {
         return HeldOut::none(text!("too few samples to hold any out"));
     }
     if !prepared.folds.predict_poses {

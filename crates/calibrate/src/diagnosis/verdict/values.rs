@@ -13,7 +13,7 @@ use crate::fit::solver::{Solution, solution_at, solve};
 use crate::fit::unseen::{Completed, completed};
 use crate::fit::{
     DEFAULT_EFFECTS, Estimate, Identification, NotIdentifiable, base_model, covariance_of,
-    noise_beside, outliers, parameters_of, report,
+    noise_given, outliers, parameters_of, report,
 };
 use crate::model::Model;
 use crate::observations::figures::{coordinate_mm, whitened};
@@ -30,7 +30,7 @@ use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::worth;
 
 /// Values of shapes that a fit to all samples may carry at most.
-const MOST_BESIDE: usize = 20_000_000;
+const MOST_SHAPE_VALUES: usize = 20_000_000;
 
 /// A model fitted to all samples that count, and how sure its coefficients are.
 #[derive(Clone)]
@@ -61,7 +61,7 @@ impl<'a> Values<'a> {
     ) -> Self {
         let mut problem = problem.clone();
         let width: usize = fit.shapes.iter().map(|s| s.raw.ncols()).sum();
-        if width * problem.used.len() * 3 <= MOST_BESIDE {
+        if width * problem.used.len() * 3 <= MOST_SHAPE_VALUES {
             problem.extra_columns = prepared
                 .regression
                 .table
@@ -75,7 +75,7 @@ impl<'a> Values<'a> {
         let mut solution = solve(&problem, &fit.model);
         let rounds = if stopped || of_kinds { 0 } else { 2 };
         for _ in 0..rounds {
-            let noise = noise_beside(&problem, &solution.model, &solution.extra_coefficients);
+            let noise = noise_given(&problem, &solution.model, &solution.extra_coefficients);
             let known = problem.noise.as_ref();
             if known.is_some_and(|known| noise.whitens_like(known)) {
                 break;
@@ -134,16 +134,16 @@ impl<'a> Values<'a> {
 
     /// What returns to the same poses are held against: mean square of a coordinate in units of its axis's white noise,
     /// with what the robot does not repeat in it, and its degrees of freedom, of poses then.
-    pub(crate) fn beside_returns(&self) -> (f64, f64) {
+    pub(crate) fn expected_of_returns(&self) -> (f64, f64) {
         let (white, freedom, _) = self.white();
         let noise = self.problem.noise.as_ref();
         if noise.is_none_or(|noise| noise.joints_rad == 0.0) {
             return (white, freedom);
         }
-        let left = deviations(&self.problem, &self.model).axes_mm;
+        let residuals = deviations(&self.problem, &self.model).axes_mm;
         let used = (0..self.problem.used.len()).filter(|i| self.problem.used[*i]);
         let used: Vec<usize> = used.collect();
-        let axes = self.problem.axis_weights.iter().zip(&left);
+        let axes = self.problem.axis_weights.iter().zip(&residuals);
         let square: f64 = axes
             .filter(|(weight, _)| **weight > 0.0)
             .map(|(weight, e)| used.iter().map(|i| weight * e[*i] * e[*i]).sum::<f64>())
@@ -176,28 +176,28 @@ impl<'a> Values<'a> {
 
     /// Root mean square length of what is left beside the model and the columns that were fitted with it, of
     /// the samples that count, mm.
-    pub(crate) fn rms_with_beside_mm(&self) -> f64 {
-        let mut left = deviations(&self.problem, &self.model).axes_mm;
+    pub(crate) fn rms_with_shapes_mm(&self) -> f64 {
+        let mut residuals = deviations(&self.problem, &self.model).axes_mm;
         for (column, coefficient) in self
             .problem
             .extra_columns
             .iter()
             .zip(&self.solution.extra_coefficients)
         {
-            for (left, values) in left.iter_mut().zip(column) {
-                for (e, value) in left.iter_mut().zip(values) {
+            for (residuals, values) in residuals.iter_mut().zip(column) {
+                for (e, value) in residuals.iter_mut().zip(values) {
                     *e -= coefficient * value;
                 }
             }
         }
-        let length = |i: usize| left.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
+        let length = |i: usize| residuals.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
         let lengths: Vec<f64> = (0..self.problem.used.len()).map(length).collect();
         let spread = Spread::of(&lengths, |i| self.problem.used[i], |_| false);
         spread.map_or(0.0, |s| s.rms_mm)
     }
 
     /// Whether shapes were fitted beside the model.
-    pub(crate) fn is_beside_shapes(&self) -> bool {
+    pub(crate) fn has_shapes(&self) -> bool {
         !self.problem.extra_columns.is_empty()
     }
 
@@ -208,7 +208,7 @@ impl<'a> Values<'a> {
 
     /// The same values with the intervals of another fit, where it has them, extended to hold the value.
     #[must_use]
-    pub(crate) fn sure_as(mut self, other: &Self) -> Self {
+    pub(crate) fn with_intervals_of(mut self, other: &Self) -> Self {
         for (term, own) in self.model.terms().iter().zip(&mut self.estimates) {
             let theirs = other.parameters_of(term);
             for estimate in own {
@@ -282,7 +282,7 @@ impl<'a> Values<'a> {
     /// Fits the geometry of several joints again beside sizes that were corrected: it carries what an
     /// effect does in common with it. Where the samples are followed worse all the same, as the sizes
     /// of several effects hang together, it is the fit before that stands.
-    pub(crate) fn fit_the_geometry_beside(&mut self, before: &Self) {
+    pub(crate) fn refit_geometry(&mut self, before: &Self) {
         let is_base = |t: &Term| base_model::belongs(t.effect.about().id);
         let terms = self.model.terms();
         if self.model.robot.joints.len() < 2 || terms.iter().all(is_base) {
@@ -425,10 +425,10 @@ impl<'a> Values<'a> {
             // Observations were judged one by one: of a sample one may be far off.
             return answer;
         }
-        let [before, left] = [nominal, &self.model].map(|model| lengths_mm(problem, model));
+        let [before, residuals] = [nominal, &self.model].map(|model| lengths_mm(problem, model));
         answer.gap.before = over_fitted(problem, &before).unwrap_or(answer.gap.before);
-        answer.gap.after = over_fitted(problem, &left).unwrap_or(answer.gap.after);
-        answer.outliers = outliers(&left, set_aside(problem).into_iter());
+        answer.gap.after = over_fitted(problem, &residuals).unwrap_or(answer.gap.after);
+        answer.outliers = outliers(&residuals, set_aside(problem).into_iter());
         answer
     }
 
@@ -473,19 +473,19 @@ pub(crate) fn corrected_for_selection<'a>(
     let threshold = regression.minus_ln_p_for(odds::TAKEN.chance(), fit);
     let before = (regression.base.robot.joints.len() > 1).then(|| values.clone());
     for term in regression.added(fit) {
-        let rest = worth(prepared, fit, term).rest;
-        let columns = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
+        let reduced = worth(prepared, fit, term).reduced;
+        let columns = fit.basis.rank().saturating_sub(reduced.basis.rank()).max(1);
         let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);
         let tried = 0.5 * regression.price_of_term(term);
         let share = Significance::new(columns, freedom).share_for(threshold + tried);
         let least = gain_of(share, freedom);
-        let gain = freedom * (rest.rss - fit.rss) / fit.rss.max(1e-300);
+        let gain = freedom * (reduced.rss - fit.rss) / fit.rss.max(1e-300);
         if let Some(selection) = Selection::of(gain, least, columns) {
             values.correct(term, &selection);
         }
     }
     if let Some(before) = before {
-        values.fit_the_geometry_beside(&before);
+        values.refit_geometry(&before);
     }
     values
 }
@@ -496,9 +496,9 @@ fn tails(problem: &Problem, solution: &Solution) -> (f64, f64) {
     if let Some(layer) = &problem.observed {
         all.extend(whitened(layer, &solution.model).iter().map(|e| e.abs()));
     }
-    let left = deviations(problem, &solution.model);
+    let residuals = deviations(problem, &solution.model);
     let points = problem.observed.is_none();
-    for (axis, values) in left.axes_mm.iter().enumerate() {
+    for (axis, values) in residuals.axes_mm.iter().enumerate() {
         let unit = problem.axis_weights[axis].sqrt();
         let used = values.iter().zip(&problem.used);
         let counts = used.filter(|(_, used)| points && unit > 0.0 && **used);

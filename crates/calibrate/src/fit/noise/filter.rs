@@ -1,7 +1,7 @@
 //! The Kalman filter that whitens columns at a cost linear in the number of samples; its equations
 //! stand in [the module above](super).
 
-use super::joints::{JointFilter, carried};
+use super::joints::{JointFilter, decayed};
 use crate::lanes::TOGETHER;
 
 /// What one sample does in the filter of an axis.
@@ -112,7 +112,7 @@ pub(super) fn steps(times: &[f64], tau: f64, sigma: f64, rms: f64) -> Vec<Step> 
     let mut variance = rms * rms;
     let mut before = f64::NAN;
     let step = |time: &f64| {
-        let decay = carried(*time - before, tau);
+        let decay = decayed(*time - before, tau);
         before = *time;
         Step::after(decay, sigma, rms, &mut variance)
     };

@@ -61,14 +61,14 @@ impl Predictor {
             moved: self.before.is_none_or(|before| before.1 != pose),
             decay: self
                 .before
-                .map_or(0.0, |before| carried(time - before.0, self.time_constant_s)),
+                .map_or(0.0, |before| decayed(time - before.0, self.time_constant_s)),
         };
         self.before = Some((time, pose));
         let (joints, states) = (self.joints, self.states);
-        let left = |state: usize| passage.left(joints, state);
+        let retained = |state: usize| passage.retained(joints, state);
         for i in 0..states {
             for j in 0..states {
-                self.covariance[i * states + j] *= left(i) * left(j);
+                self.covariance[i * states + j] *= retained(i) * retained(j);
             }
             let own = if i >= joints {
                 self.slow_mm[i - joints].powi(2) * (1.0 - passage.decay * passage.decay)
@@ -123,7 +123,7 @@ impl Predictor {
 }
 
 impl Passage {
-    fn left(self, joints: usize, state: usize) -> f64 {
+    fn retained(self, joints: usize, state: usize) -> f64 {
         match (state < joints, self.moved) {
             (true, true) => 0.0,
             (true, false) => 1.0,
@@ -133,21 +133,21 @@ impl Passage {
 
     fn through(self, joints: usize, states: &mut [f64]) {
         for (state, value) in states.iter_mut().enumerate() {
-            *value *= self.left(joints, state);
+            *value *= self.retained(joints, state);
         }
     }
 
     fn through_all(self, joints: usize, states: &mut [Together]) {
         for (state, values) in states.iter_mut().enumerate() {
-            let left = self.left(joints, state);
-            *values = values.map(|value| value * left);
+            let retained = self.retained(joints, state);
+            *values = values.map(|value| value * retained);
         }
     }
 }
 
 /// How much of the state is left after so long. A clock that jumps back is a restart, after an
 /// unknown time.
-pub(crate) fn carried(apart: f64, tau: f64) -> f64 {
+pub(crate) fn decayed(apart: f64, tau: f64) -> f64 {
     if apart >= 0.0 {
         (-apart / tau).exp()
     } else {

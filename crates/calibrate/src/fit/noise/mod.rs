@@ -41,7 +41,7 @@ use crate::answers::noise::Trial;
 pub(crate) use crate::answers::noise::{Slow, StatedNoise};
 pub(crate) use filter::{Filter, Step};
 use joints::JointFilter;
-pub(crate) use joints::carried;
+pub(crate) use joints::decayed;
 
 /// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on the axes
 /// differ: p < 0.0004.

@@ -110,7 +110,7 @@ impl<'r> Restricted<'r> {
     /// Standard deviation that is left, in units of σ.
     pub(super) fn scale(&self, shape: NoiseShape) -> f64 {
         let solved = self.summed(shape).and_then(|summed| summed.solved());
-        solved.map_or(0.0, |solved| (solved.left / self.freedom()).sqrt())
+        solved.map_or(0.0, |solved| (solved.rss / self.freedom()).sqrt())
     }
 
     /// Variance along each axis in units of σ², with its degrees of freedom.
@@ -133,7 +133,7 @@ impl<'r> Restricted<'r> {
             let summed = self.summed(shape)?;
             let solved = summed.solved()?;
             let ln_determinant = solved.ln_determinant() + summed.ln_determinant;
-            Some((solved.left, ln_determinant))
+            Some((solved.rss, ln_determinant))
         };
         let one = |axis: &usize| {
             let (more, less) = (
@@ -161,7 +161,7 @@ impl<'r> Restricted<'r> {
             return (f64::NEG_INFINITY, 0.0);
         };
         let freedom = self.freedom();
-        let variance = (solved.left / freedom).max(rounding::WRITTEN * rounding::WRITTEN);
+        let variance = (solved.rss / freedom).max(rounding::WRITTEN * rounding::WRITTEN);
         let ln_determinant = solved.ln_determinant() + ln_determinant;
         let ln = -0.5 * (freedom * variance.ln() + ln_determinant);
         (ln, variance.sqrt())
@@ -213,10 +213,10 @@ mod tests {
         });
         let inverse = covariance.clone().try_inverse().unwrap();
         let x = columns.qr().q();
-        let carried = &inverse * &x;
-        let information = x.transpose() * &carried;
+        let decayed = &inverse * &x;
+        let information = x.transpose() * &decayed;
         let known = information.clone().try_inverse().unwrap();
-        let projection = &inverse - &carried * known * carried.transpose();
+        let projection = &inverse - &decayed * known * decayed.transpose();
         let freedom = 3.0 * n as f64 - 3.0;
         let variance = residual.dot(&(&projection * &residual)) / freedom;
         let ln = ln_determinant(&covariance) + ln_determinant(&information);
@@ -260,11 +260,11 @@ mod tests {
             let spread = restricted.spread(SHAPE);
             let n = residual.len() / 3;
             // V P y is what the fit leaves, V P what it leaves of the rows.
-            let left = covariance * (projection * residual);
+            let residuals = covariance * (projection * residual);
             let kept = covariance * projection;
             for (axis, (variance, freedom)) in spread.into_iter().enumerate() {
                 let own = covariance.view((axis * n, axis * n), (n, n)).into_owned();
-                let of_axis = left.rows(axis * n, n).into_owned();
+                let of_axis = residuals.rows(axis * n, n).into_owned();
                 let square = of_axis.dot(&(own.try_inverse().unwrap() * &of_axis));
                 let rest: f64 = (axis * n..(axis + 1) * n).map(|k| kept[(k, k)]).sum();
                 assert!((freedom - rest).abs() < 1e-8, "{freedom} {rest}");

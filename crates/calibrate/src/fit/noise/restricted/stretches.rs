@@ -19,7 +19,7 @@ use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::noise::carried;
+use crate::fit::noise::decayed;
 use crate::fit::noise::filter::{Axis, Filter, Step};
 use crate::fit::regression::Rows;
 use crate::linear::{Basis, DEPENDENT, gram};
@@ -75,12 +75,12 @@ impl Stretches {
             let q = Basis::new(&picked(&columns.select_columns(&own), n, samples)).q;
             for _ in 0..2 {
                 let here = picked(&common, n, samples);
-                let left = &here - &q * q.tr_mul(&here);
+                let remaining = &here - &q * q.tr_mul(&here);
                 for a in 0..rows.axes.len() {
                     let (first, len) = at(a, samples);
                     common
                         .rows_mut(first, len)
-                        .copy_from(&left.rows(a * len, len));
+                        .copy_from(&remaining.rows(a * len, len));
                 }
             }
             bases.push(q);
@@ -142,9 +142,9 @@ impl Stretches {
                 after: if goes_on { slow.len() } else { 0 },
             };
             let (white, ln_of_noise) = stretch.whitened(rows, shape, &slow, layout);
-            let (left, ln_eliminated) = layout.eliminated(&white, &products)?;
+            let (remaining, ln_eliminated) = layout.eliminated(&white, &products)?;
             ln_determinant += ln_of_noise + ln_eliminated;
-            products = left;
+            products = remaining;
         }
         Some(Summed {
             gram: products,
@@ -199,14 +199,14 @@ fn picked(columns: &DMatrix<f64>, n: usize, samples: &Range<usize>) -> DMatrix<f
 }
 
 /// A basis of columns of which a part was taken out; those of which nothing is left are none.
-fn independent(left: &DMatrix<f64>, before: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut left = left.clone();
-    for (mut column, before) in left.column_iter_mut().zip(before.column_iter()) {
+fn independent(remaining: &DMatrix<f64>, before: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut remaining = remaining.clone();
+    for (mut column, before) in remaining.column_iter_mut().zip(before.column_iter()) {
         if column.norm() <= DEPENDENT * before.norm() {
             column.fill(0.0);
         }
     }
-    Basis::new(&left).q
+    Basis::new(&remaining).q
 }
 
 /// How many columns of a stretch's rows are of the state before it, its own, and of the state at its end; those that
@@ -297,7 +297,7 @@ impl Stretch {
         };
         let mut steps = vec![sets];
         steps.extend(times[samples].iter().map(|time| {
-            let carry = carried(*time - before, tau);
+            let carry = decayed(*time - before, tau);
             before = *time;
             Step::after(carry, sigma, rms, &mut variance)
         }));
@@ -331,17 +331,17 @@ impl Layout {
             own += products.view(from, (height, width));
         }
         let rest = all.ncols() - out;
-        let mut left = all.view((out, out), (rest, rest)).into_owned();
+        let mut remaining = all.view((out, out), (rest, rest)).into_owned();
         if out == 0 {
-            return Some((left, 0.0));
+            return Some((remaining, 0.0));
         }
         let factor = all.view((0, 0), (out, out)).into_owned().cholesky()?;
         let l = factor.l_dirty();
         let mut between = all.view((0, out), (out, rest)).into_owned();
         l.solve_lower_triangular_mut(&mut between);
-        left -= gram(&between);
+        remaining -= gram(&between);
         let ln = (0..out).map(|k| 2.0 * l[(k, k)].ln()).sum();
-        Some((left, ln))
+        Some((remaining, ln))
     }
 }
 

@@ -52,7 +52,7 @@ pub(super) struct Summed {
 pub(super) struct Solved {
     pub(super) factor: Cholesky<f64, nalgebra::Dyn>,
     pub(super) step: DVector<f64>,
-    pub(super) left: f64,
+    pub(super) rss: f64,
 }
 
 impl Summed {
@@ -62,8 +62,8 @@ impl Summed {
         let pull = self.gram.view((0, p), (p, 1)).column(0).into_owned();
         let factor = inner.cholesky()?;
         let step = factor.solve(&pull);
-        let left = (self.gram[(p, p)] - step.dot(&pull)).max(0.0);
-        Some(Solved { factor, step, left })
+        let rss = (self.gram[(p, p)] - step.dot(&pull)).max(0.0);
+        Some(Solved { factor, step, rss })
     }
 }
 
