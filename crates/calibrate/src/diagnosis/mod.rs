@@ -1,16 +1,15 @@
 //! Finding and naming what is missing: where simulation and measurement disagree, which physical
 //! effect does it, how sure that is, and what to measure next where it is not.
 //!
-//! The way, one room for each part of it; a room uses only those before it:
+//! The steps, one module for each; a module uses only those before it:
 //!
-//! 1. [`crate::set_up_errors`]: mistakes of setting up are tried first and mended for what follows.
+//! 1. [`crate::set_up_errors`]: mistakes of setting up are tried first and corrected for what follows.
 //! 2. `crate::fit::noise`: residuals of the robust base fit, whitened by axis and in time.
 //! 3. `candidates`: every testable name with every setting, and anonymous shapes beside them.
-//! 4. `evidence`: what each would do, what the whole search would find in noise alone, and what samples say that
-//!    no fit has seen.
-//! 5. `rest`: what has no name.
+//! 4. `evidence`: the gain of each, what the whole search would find in noise alone, and cross-validation.
+//! 5. `rest`: the part of the error that repeats and has no name.
 //! 6. `search`: forward, swaps, drops, pairs, rivals; `search::searched` is all of it on one screen.
-//! 7. `verdict`: values with intervals, what is left, what would have been seen, what predicts without a name. Poses
+//! 7. `verdict`: values with intervals, the unexplained rest, limits of detection, what predicts without a name. Poses
 //!    that decide between rivals are proposed by a planner that the caller hands in (`pipeline::diagnose` takes
 //!    [`crate::design`]'s).
 //!
@@ -88,7 +87,7 @@ pub fn diagnose(
     Ok(answered(&corrected, all, options, planner, watch)?.1)
 }
 
-/// The search of a session made ready, and what its end says.
+/// Searches a prepared session and makes the answer.
 fn answered<'a>(
     corrected: &'a CorrectedSession,
     prepared: PreparedSearch<'a>,

@@ -1,4 +1,4 @@
-//! How far a diagnosis is, and that it was stopped.
+//! The progress of a diagnosis, and its cancellation.
 
 /// How far the diagnosis is.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub enum Progress {
     Planning,
 }
 
-/// Is told of progress; answers whether to go on.
+/// Receives the progress; returns whether to go on.
 pub type Watch<'a> = &'a dyn Fn(&Progress) -> bool;
 
 /// The watcher asked to stop.

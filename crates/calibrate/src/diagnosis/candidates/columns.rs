@@ -1,4 +1,4 @@
-//! The candidates' columns, in the few numbers that they are made of.
+//! The columns of the Jacobian of every candidate, stored compactly.
 //!
 //! What a candidate does to one joint is a number for each sample times how the target moves with that
 //! joint. Of a column `w = L (d ∘ f)`, with `L` the filter that whitens, `d` the move of every row and
@@ -124,7 +124,7 @@ impl GroupBuilder {
 }
 
 impl ColumnBuilder {
-    /// None yet, for rows of so many samples, axis by axis; `directions` are how the rows may move.
+    /// Empty, for rows of so many samples, axis by axis; `directions` are how the rows may move.
     pub(crate) fn new(rows: usize, samples: usize, directions: &[DVector<f64>]) -> Self {
         let along = directions.iter().map(|d| GroupBuilder {
             squares: sums_of_samples(samples, d.as_slice(), d.as_slice()),
@@ -140,7 +140,7 @@ impl ColumnBuilder {
         }
     }
 
-    /// What was taken so far has names, what comes has none.
+    /// The candidates added so far are named; those that follow are anonymous shapes.
     pub(crate) fn names_end(&mut self) {
         for group in &mut self.groups {
             group.named = group.count;

@@ -1,8 +1,8 @@
 //! Whether a free frame of the instrument is determined well enough for the direction of an error to mean anything.
 //!
-//! Points on one line (two poses in turn, for hours) leave open how the instrument is turned about that line. The fit takes
-//! some turn; seen so, the drift of one joint is that of another, and three names explain what one did. What slides along
-//! the line is seen as it is.
+//! Points on one line (two poses in turn, for hours) leave the rotation of the instrument about that line
+//! undetermined. The fit takes some rotation, and with a wrong one the drift of one joint looks like that of another,
+//! so that three names explain what one did. Displacements along the line do not depend on it.
 
 use std::collections::BTreeMap;
 

@@ -123,8 +123,7 @@ impl ShapeSpace {
         other
     }
 
-    /// The columns of placed shapes for every sample of a problem, as a fit takes them beside the
-    /// model.
+    /// The columns of placed shapes for every sample of a problem, as extra columns of a fit.
     pub(crate) fn on_all(&self, problem: &Problem, shapes: &[Placed]) -> Vec<[Vec<f64>; 3]> {
         // Along x, y, z: observations have other rows.
         if shapes.is_empty() || problem.observed.is_some() {
@@ -196,7 +195,7 @@ impl ShapeSpace {
     }
 }
 
-/// The space of some rows; with every target among the variables, or all but the first, which the others tell.
+/// The space of some rows; with every target among the variables, or all but the first, which follows from the others.
 pub(crate) fn shape_space(
     rows: &Rows,
     base: &Model,

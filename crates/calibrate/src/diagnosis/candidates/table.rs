@@ -42,7 +42,7 @@ impl CandidateKind {
 /// One thing to try.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Candidate {
-    /// What it is.
+    /// What kind of candidate it is.
     pub what: CandidateKind,
     /// Its first column in the table.
     pub first: usize,
@@ -103,7 +103,7 @@ pub(crate) struct CandidateTable {
 }
 
 impl CandidateTable {
-    /// All candidates beside a base model. `base` names what the base already holds.
+    /// All candidates given a base model. `base` names the effects that the base already holds.
     pub(crate) fn new(
         problem: &Problem,
         rows: &Rows,
@@ -221,7 +221,7 @@ impl CandidateTable {
     }
 }
 
-/// The columns of some names beside the base, of each its own.
+/// The columns of some names added to the base, of each its own.
 fn columns_of(rows: &Rows, base: &Model, names: &[Candidate]) -> Vec<DMatrix<f64>> {
     let own = names.iter().filter_map(|c| c.what.term());
     // Of the base no column is asked for.

@@ -1,8 +1,8 @@
 //! Fits of a model and shapes to the rows, by Gauss–Newton steps.
 //!
-//! Columns and their orthonormal basis are nearly all of what a step costs. After a step that is small beside the
-//! noise they are what they were: their change is a product of that step with the curvature, and what the next step
-//! is off by is a product with it once more. As many steps are taken as with columns that are always new.
+//! Most of the cost of a step is its columns and their orthonormal basis. After a step that is small compared with the
+//! noise they are kept: their change is a product of that step with the curvature, and the error of the next step is a
+//! product with it once more. The number of steps is that with columns that are always recomputed.
 
 use std::sync::Arc;
 
@@ -16,10 +16,10 @@ use crate::diagnosis::candidates::Placed;
 use crate::linear::Basis;
 use crate::model::Model;
 
-/// Products for each number of a fit's columns beside those of making them orthonormal.
+/// Products for each number of a fit's columns besides those of making them orthonormal.
 pub(super) const OF_A_FIT: f64 = 150.0;
 
-/// A step whose square is at most this share of what is left leaves the columns what they are.
+/// A step whose square is at most this share of the residual sum of squares keeps the columns.
 const SMALL: f64 = 1e-5;
 
 impl Regression<'_> {
@@ -37,7 +37,7 @@ impl Regression<'_> {
         let mut place: Option<Arc<Basis>> = None;
         let mut projected = DVector::zeros(self.height());
         let mut rss = 0.0_f64;
-        // The square of the last step beside what it left.
+        // The square of the last step relative to the residual sum of squares after it.
         let mut last = f64::INFINITY;
         for round in 0..budget::ROUNDS {
             self.work.did(of_a_step);
@@ -84,7 +84,7 @@ impl Regression<'_> {
         }
     }
 
-    /// What is left of the rows, with a basis of all columns.
+    /// The residual of the rows, with a basis of all columns.
     fn place(&self, model: &Model, shapes: &[Placed]) -> (DVector<f64>, Arc<Basis>) {
         let (raw, columns) = self.raw(model);
         let (residual, mut all) = self.whitened(model, &raw, columns);

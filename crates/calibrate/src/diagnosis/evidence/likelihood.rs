@@ -1,5 +1,4 @@
-//! How fits are compared: by an approximate marginal likelihood (Schwarz 1978) with every name equally
-//! likely beforehand:
+//! The evidence of a fit: an approximate marginal likelihood (Schwarz 1978) with every name equally likely a priori:
 //!
 //! ```text
 //! ln E = −(m/2) ln rss − (k/2) ln m − Σ ln(settings tried) − (shapes) ln 20
@@ -21,9 +20,8 @@ use crate::diagnosis::candidates::Placed;
 /// Every name pays for being one of the twenty of the catalogue (ln 20): a set of names is as simple
 /// as it is small.
 pub(crate) const EFFECT_PRIOR_PENALTY: f64 = 3.0;
-/// A shape pays as a name does, and has to be this much likelier besides, as a logarithm: thirty
-/// times …
-/// Calibrated (`hidden_effects unknown`, `strange`): beside two names a shape is simpler.
+/// A shape pays as a name does, and has to be this much likelier besides, as a logarithm: thirty times …
+/// Calibrated (`hidden_effects unknown`, `strange`): compared with two names a shape is simpler.
 const PRICE_OF_A_SHAPE: f64 = 3.5 + EFFECT_PRIOR_PENALTY;
 /// … and this much more for each setting that is fitted finely.
 /// Derived: half the logarithm of the number of resolved settings between two points of a scan
@@ -51,8 +49,8 @@ fn plausible(term: &Term) -> f64 {
     }
 }
 
-/// Whether a term has a size so many times as large as what is implausible. No limit is known for what slides: its
-/// sizes have other units, and other names.
+/// Whether a term has a size so many times as large as what is implausible. For prismatic joints no limit is known:
+/// their sizes have other units, and other names.
 pub(crate) fn is_beyond(robot: &Robot, term: &Term, times: f64) -> bool {
     let about = term.effect.about();
     let sizes = about.form.quantities();
@@ -95,10 +93,10 @@ impl Regression<'_> {
             + self.ln_noise
     }
 
-    /// By how much too much the terms that were added pay: a vector of which one component is there
-    /// carries the information of one column and not of three. Each pays for its best subset of
-    /// components, and for the choice of it. What cannot be negative and is pays everything, and so does a size beyond
-    /// what is plausible of which the samples leave more than that open: it cancels another one.
+    /// The correction of the complexity penalty of the terms that were added: a vector with one non-zero component has
+    /// the information of one column and not of three. Each pays for its best subset of components, and for the choice
+    /// of it. A term that cannot be negative and is pays for all columns, and so does a size beyond what is plausible
+    /// that the samples leave more uncertain than that: it cancels another one.
     pub(super) fn subset_selection_credit(&self, model: &Model, basis: &Basis, rss: f64) -> f64 {
         let mut first = 0;
         let mut subset_selection_credit = 0.0;
@@ -173,7 +171,7 @@ impl Regression<'_> {
         subset_selection_credit
     }
 
-    /// A sum of squares cannot say more than the rounding of the numbers in a file.
+    /// A sum of squares is no more precise than the rounding of the numbers in a file.
     pub(crate) fn rounded(&self, rss: f64) -> f64 {
         let rounding: f64 = self
             .rows
@@ -194,8 +192,8 @@ impl Regression<'_> {
         stated(&self.base.robot, term).is_some()
     }
 
-    /// A term and what is proven together with it: of an order that the gear ratio asks for, the others of that gear
-    /// in the fit.
+    /// A term and those that are tested together with it: of an order that follows from the gear ratio, the others of
+    /// that gear in the fit.
     pub(crate) fn together(&self, fit: &Fit, term: &Term) -> Vec<Term> {
         if !self.is_stated(term) {
             return vec![term.clone()];

@@ -1,4 +1,4 @@
-//! What was worked out before: a search comes to the same fits again on its several ways.
+//! A cache of computed results: a search comes to the same fits again on several ways.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -33,7 +33,7 @@ impl<T: Clone> Memo<T> {
         self.computed.borrow_mut().clear();
     }
 
-    /// The answer for what a key tells.
+    /// The result of a key.
     pub(crate) fn of_key(&self, key: Key, work: impl FnOnce() -> T) -> T {
         let known = self.computed.borrow().iter().find(|k| k.0 == key).cloned();
         if let Some((_, answer)) = known {
@@ -49,10 +49,10 @@ impl<T: Clone> Memo<T> {
     }
 }
 
-/// What tells one fit from another.
+/// What distinguishes one fit from another.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Key {
-    /// Every bit of the terms, and of what is known of the shapes.
+    /// Every bit of the terms and of the shapes.
     numbers: Vec<u64>,
     shapes: Vec<Shape>,
 }
@@ -81,7 +81,7 @@ impl Key {
             all.extend(term.coefficients.iter().map(|c| c.to_bits()));
             let held = |k: usize| u64::from(term.held.contains(k));
             all.extend((0..term.coefficients.len()).map(held));
-            // What is kept holds its curve, so no other one lies there.
+            // The kept entry holds its curve, so that no other one has its address.
             let curve = term.curve.as_ref().map_or(0, |c| Arc::as_ptr(c) as usize);
             all.push(curve as u64);
             let rest = term.rest.as_ref().map_or(0, |r| Arc::as_ptr(r) as usize);

@@ -1,12 +1,12 @@
-//! What the samples say: a model fitted to them, what each candidate would do beside it, how likely that is, how often
-//! noise alone would look like it, and whether it predicts samples that no fit has seen. Nothing here chooses.
+//! The evidence of the samples: a model fitted to them, the gain of each candidate given it, how likely that is, how
+//! often noise alone would look like it, and cross-validation. Nothing here chooses.
 //!
 //! - `regression`: the whitened rows and the table; `fit`, `fitting`, `refine`, `placement`: fits to them.
-//! - `score`, `scores`, `grams`, `projections`, `beside_fits`: what candidates would do beside a fit.
+//! - `score`, `scores`, `scan`, `grams`, `projections`: the gain of each candidate given a fit.
 //! - `likelihood`: how fits are compared; `significance`, `trials`, `largest_in_noise`,
-//!   `familywise`: what noise does.
+//! `familywise`: the distribution in noise alone.
 //! - `held_out`, `left_out`, `rescanned`, `shares`: errors on samples that a fit, or a choice, has not seen.
-//! - `rival`: another explanation of the same samples.
+//! - `rival`: an alternative explanation of the same samples.
 //! - `memo`: what was computed before; `work`: how much may be computed.
 
 mod bisection;

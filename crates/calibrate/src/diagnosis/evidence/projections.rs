@@ -1,19 +1,19 @@
-//! What candidates would do beside a fit, and beside the same fit without one of its terms, from one table: with `Q` the
-//! orthonormal columns of the fit, which leaves `r`,
+//! Gains of candidates given a fit, and given the same fit without one of its terms, from one table: with `Q` the
+//! orthonormal columns of the fit and `r` its residual,
 //!
 //! ```text
 //! P = W − Q A,   A = Qᵀ W,   PᵀP = WᵀW − AᵀA,   Pᵀr = Wᵀr − Aᵀ Qᵀ r
 //! ```
 //!
-//! With `u = Q c` the part of the columns that only one term spans, those of the rest are those of `Q` without `u`, and
-//! everything beside the rest follows by rank:
+//! With `u = Q c` the directions that only one term spans, the basis of the reduced fit is `Q` without `u`, and its
+//! products follow by an update of low rank:
 //!
 //! ```text
 //! b = cᵀ (Qᵀ W),   PᵀP + bᵀb,   Pᵀr + bᵀβ,   ‖r‖² + ‖β‖²,   β = uᵀ (what the term explains)
 //! ```
 //!
-//! so that a question about each of the terms in turn costs no fit and no sample is looked at again. To first
-//! order: the others' columns stay where the fit has them. What comes close is fitted before it is used.
+//! so that a question about each of the terms in turn costs no fit and no sample is visited again. To first order: the
+//! columns of the other terms are kept as they are in the fit. What comes close is fitted before it is used.
 
 use std::sync::Arc;
 
@@ -24,17 +24,17 @@ use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::table::Candidate;
 use crate::linear::{Basis, small_cholesky, small_gain};
 
-/// The candidates beside a fit.
+/// The candidates' columns projected orthogonal to a fit.
 pub(crate) struct Projections {
     pub(crate) among: CandidateSubset,
     pub(super) basis: Arc<Basis>,
     /// Products of the fit's orthonormal columns with the candidates'.
     pub(crate) along: DMatrix<f64>,
-    /// What the fit leaves of every candidate's own products.
+    /// Gram matrices of the projected columns.
     pub(crate) projected: Grams,
-    /// How much of each column has to be left for it to count.
+    /// The least square norm of a projected column for it to count.
     pub(crate) least: Vec<f64>,
-    /// Products of what is left of the candidates with the residual.
+    /// Products of the projected columns with the residual.
     pub(crate) pulls: DVector<f64>,
 }
 
@@ -45,16 +45,16 @@ pub(crate) struct ReducedFit {
     pub(crate) directions: DMatrix<f64>,
     /// `β`, a single column.
     pub(crate) explained: DMatrix<f64>,
-    /// The sum of squares that is left.
+    /// The residual sum of squares.
     pub(crate) rss: f64,
     /// The rank.
     pub(crate) rank: usize,
-    /// At least how likely it is; [`Regression::without`] says by how much it may be less.
+    /// A lower bound of the logarithm of the evidence; [`Regression::without`] states by how much it may be too low.
     pub(crate) ln_evidence: f64,
 }
 
 impl Projections {
-    /// Cholesky factor of what is left of a candidate's columns (lower, row by row), and their rank.
+    /// Cholesky factor of the Gram matrix of a candidate's projected columns (lower, row by row), and their rank.
     pub(crate) fn factor(&self, candidate: &Candidate) -> (Vec<f64>, usize) {
         let (first, k) = (candidate.first, candidate.size);
         let mut gram = self.projected.of(candidate).to_vec();

@@ -1,6 +1,6 @@
-//! Where candidates compete: the whitened rows, the table of candidates, and fits of a model with
-//! named terms and anonymous shapes to the same rows. How fits are compared: [`super::likelihood`]; what
-//! each candidate would do beside one: [`super::scores`].
+//! The regression in which candidates are compared: the whitened rows, the table of candidates, and fits of a model
+//! with named terms and anonymous shapes to the same rows. The comparison of fits is [`super::likelihood`]; the gain
+//! of each candidate given one [`super::scores`].
 
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -37,27 +37,27 @@ pub(crate) struct Regression<'a> {
     pub(crate) tests: Rc<Tests>,
     pub(crate) base: Model,
     priors: Vec<PriorRow>,
-    /// Number of rows beside those of the samples.
+    /// Number of rows of priors, in addition to those of the samples.
     pub(crate) prior_rows: usize,
     /// On how many threads parts of it are done; the answer is the same.
     pub(crate) threads: Threads,
     /// What was done so far of what may be done.
     pub(crate) work: Work,
-    /// What noise alone does beside fits.
+    /// The distribution of the largest gain in noise alone, given a fit.
     pub(super) largest_in_noise: Memo<LargestInNoise>,
     /// The last fits, by where they began.
     pub(super) fits: Memo<Fit>,
     /// Errors on unseen samples ([`super::held_out`]): in units of the rows, and in mm.
     pub(crate) unseen: Memo<[f64; 2]>,
-    /// What candidates would do beside the last fits.
+    /// The projected columns of the candidates, given the last fits.
     pub(crate) projections: Memo<Rc<Projections>>,
     /// Other names for a fit ([`crate::diagnosis::search::aliases`]).
     pub(crate) rivals: Memo<Vec<Rival>>,
-    /// What the noise itself says of the rows: −½ ln of its determinant, less its price.
+    /// The part of the evidence that the noise contributes: −½ ln of its determinant, less its penalty.
     pub(super) ln_noise: f64,
 }
 
-/// What it costs to say along which of the axes the noise is slow, if not along all.
+/// The penalty of the choice of the axes along which the noise is slow, if it is not along all.
 fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
     let slow = rows.axes.iter().filter(|axis| rms_mm[**axis] > 0.0).count();
     if slow == rows.axes.len() {
@@ -84,7 +84,7 @@ impl<'a> Regression<'a> {
         threads: Threads,
     ) -> Self {
         let priors = prior_rows(&problem, &base);
-        let beside = priors.len() + rows.prior_rows(&base, &problem.priors).0.len();
+        let prior_rows = priors.len() + rows.prior_rows(&base, &problem.priors).0.len();
         let filter = noise.filter(&rows);
         let numbers = noise.slow.map_or(0.0, |slow| {
             1.0 + slow.rms_mm.iter().filter(|s| **s > 0.0).count() as f64
@@ -92,7 +92,7 @@ impl<'a> Regression<'a> {
         let choice = noise
             .slow
             .map_or(0.0, |slow| choice_of_axes(&rows, slow.rms_mm));
-        let numbers_of_a_basis = (rows.len() + beside) * base.coefficient_count();
+        let numbers_of_a_basis = (rows.len() + prior_rows) * base.coefficient_count();
         let last_fits = (budget::NUMBERS_KEPT / numbers_of_a_basis.max(1)).min(KEPT);
         let of_robot = f64::from(u8::from(noise.joints_rad > 0.0));
         let price = PRICE_OF_A_VARIANCE * (numbers + of_robot) + choice;
@@ -109,7 +109,7 @@ impl<'a> Regression<'a> {
             tests: Rc::default(),
             base,
             priors,
-            prior_rows: beside,
+            prior_rows: prior_rows,
             threads,
             largest_in_noise: Memo::new(KEPT),
             fits: Memo::new(last_fits),
@@ -145,13 +145,13 @@ impl<'a> Regression<'a> {
         self.rows.count() as f64
     }
 
-    /// Number of all rows: those of the samples, and one for each coefficient of the base of which
-    /// something is known beforehand, and for what is known of places.
+    /// Number of all rows: those of the samples, one for each coefficient of the base with a prior, and those of the
+    /// priors of places.
     pub(crate) fn height(&self) -> usize {
         self.rows.len() + self.prior_rows
     }
 
-    /// Rows of what is known beforehand of the base's coefficients, behind those of the samples.
+    /// Rows of the priors of the base's coefficients, behind those of the samples.
     pub(crate) fn prior_rows(&self) -> std::ops::Range<usize> {
         let first = self.rows.len();
         first..first + self.priors.len()
@@ -214,7 +214,7 @@ impl<'a> Regression<'a> {
         residual
     }
 
-    /// Frees what was worked out so far, most of what is held: it is worked out again where it is asked for again.
+    /// Frees the caches, most of the memory: what is asked for again is computed again.
     pub(crate) fn forget(&self) {
         self.fits.clear();
         self.projections.clear();
@@ -264,14 +264,14 @@ impl<'a> Regression<'a> {
     }
 }
 
-/// What is known beforehand of one coefficient of the base: it is 0 within σ, inner units.
+/// The prior of one coefficient of the base: 0 ± σ, inner units.
 struct PriorRow {
     term: Term,
     coefficient: usize,
     sigma: f64,
 }
 
-/// The rows of the priors that a problem carries; none of a robot with a single joint.
+/// The rows of the priors of a problem; none of a robot with a single joint.
 fn prior_rows(problem: &Problem, base: &Model) -> Vec<PriorRow> {
     let mut rows = Vec::new();
     for term in base.terms() {

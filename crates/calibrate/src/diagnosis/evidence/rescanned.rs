@@ -1,7 +1,7 @@
-//! What a fit leaves of samples that it has not seen, each of its terms at the setting that the others like best.
+//! Cross-validated residuals of a fit, each of its terms at the setting that is best without the samples held out.
 //!
-//! The step of a fit without some rows is taken from where the fit ended, with the columns that it has there; its
-//! shapes are solved for afresh, so that what is to be explained is what the model alone leaves.
+//! The step of a fit without some rows starts from the full fit, with its columns there; the shapes are linear and are
+//! solved for again, so that the signal to be explained is the residual of the model alone.
 
 use super::fitting::OF_A_FIT;
 use crate::effects::{Setting, Term};
@@ -18,8 +18,7 @@ use crate::diagnosis::candidates::compatible;
 
 /// Settings that are scanned afresh, at most …
 pub(crate) const MOST_SETTINGS: usize = 16;
-/// … of those that would lower the square by this share of what the term does, over all samples: a fifth of them
-/// does not make up for the rest.
+/// … of those whose gain is this share of the term's, over all samples: a fifth of them does not make up for more.
 const NEAR: f64 = 0.3;
 
 /// Whether a term's setting is scanned afresh in every fold.
@@ -72,7 +71,7 @@ fn settings(regression: &Regression, term: &Term) -> Vec<usize> {
 pub(super) struct Rescanned<'f, 'a> {
     regression: &'f Regression<'a>,
     fitted: Fitted,
-    /// What the model alone leaves, and the columns with those of the shapes at the end, as they are measured.
+    /// The residual of the model alone, and its columns with those of the shapes, not whitened.
     residual: DVector<f64>,
     columns: DMatrix<f64>,
 }
@@ -114,7 +113,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         }
     }
 
-    /// What a fit without each of these sets of rows leaves of them, where its first so many columns predict.
+    /// The residuals of each of these sets of rows in a fit without them, where its first so many columns predict.
     pub(crate) fn residuals(&self, folds: &[Vec<usize>], columns: usize) -> Vec<Vec<f64>> {
         let fitted = &self.fitted;
         let steps = self
@@ -184,7 +183,7 @@ pub(crate) fn chosen_again(
     Gains::of(rows, &squares)
 }
 
-/// A term with all joints and settings that may stand in the place of its own.
+/// A term with all joints and settings that may replace its own.
 fn anywhere(regression: &Regression, fit: &Fit, reduced: &Fit, term: &Term) -> Scanned {
     let before = fit.model.terms().iter();
     let before = before.take_while(|t| !t.same_column(term));
@@ -293,8 +292,8 @@ mod tests {
         }
     }
 
-    /// An eccentric encoder predicts where it is chosen again; a ripple beside it, fitted to noise at whatever order it is
-    /// likeliest, does not.
+    /// An eccentric encoder predicts when its setting is chosen again; a ripple in addition to it, fitted to noise at
+    /// its likeliest order, does not.
     #[test]
     fn what_noise_chose_predicts_nothing_where_it_is_chosen_again() {
         let session = eccentric(15, 0.05);

@@ -1,4 +1,4 @@
-//! Candidates beside the fits of a regression, and beside those fits without one of their terms.
+//! Scans of all candidates given a fit, and given that fit without one of its terms.
 
 use crate::effects::Term;
 use nalgebra::DMatrix;
@@ -17,7 +17,7 @@ use crate::diagnosis::candidates::table::Candidate;
 use crate::side_by_side::Threads;
 
 impl Regression<'_> {
-    /// The candidates beside a fit.
+    /// The candidates' columns projected orthogonal to a fit.
     pub(crate) fn projections(&self, fit: &Fit, among: CandidateSubset) -> Rc<Projections> {
         let key = Key::of(fit).with(among as usize);
         let work = || Rc::new(self.new_projections(fit, among));
@@ -52,7 +52,7 @@ impl Regression<'_> {
         }
     }
 
-    /// What a fit leaves of the columns of a candidate.
+    /// The columns of a candidate projected orthogonal to a fit.
     pub(crate) fn projected_columns(
         &self,
         around: &Projections,
@@ -64,7 +64,7 @@ impl Regression<'_> {
         own
     }
 
-    /// Scores candidates beside a fit; those that the fit leaves nothing of are left out.
+    /// Scores of candidates given a fit, without those that are linearly dependent on it.
     pub(crate) fn scan(&self, fit: &Fit, among: CandidateSubset) -> Vec<Score> {
         let around = self.projections(fit, among);
         let whole = (fit.basis.rank(), fit.rss);
@@ -126,7 +126,7 @@ impl Regression<'_> {
         })
     }
 
-    /// Scores of candidates beside a fit without some columns.
+    /// Scores of candidates given a reduced fit.
     pub(crate) fn scan_without(&self, around: &Projections, reduced: &ReducedFit) -> Vec<Score> {
         let along = reduced.directions.tr_mul(&around.along);
         let mut pulls = around.pulls.clone();

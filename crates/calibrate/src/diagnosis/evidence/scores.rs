@@ -1,4 +1,4 @@
-//! What each candidate would do beside a fit.
+//! The scores of all candidates given a fit.
 
 use std::rc::Rc;
 
@@ -25,8 +25,8 @@ struct Gain {
 }
 
 impl Regression<'_> {
-    /// Scores of candidates beside what has a rank and leaves a sum of squares, from the Cholesky factor of what it
-    /// leaves of each and their products with its residual.
+    /// Scores of candidates given a fit's rank and residual sum of squares, from the Cholesky factor of the projected
+    /// columns of each and their products with its residual.
     pub(crate) fn scores(
         &self,
         (rank_beside, rss): (usize, f64),
@@ -79,7 +79,7 @@ impl Regression<'_> {
         scores
     }
 
-    /// The columns of a term that is absent so far, beside a fit.
+    /// The columns of a term that is absent so far, given a fit.
     pub(crate) fn columns_of(&self, fit: &Fit, term: &Term) -> DMatrix<f64> {
         let absent = Term::absent(term.effect, term.joint, term.setting);
         let model = fit.model.with_term(absent.clone());
@@ -133,8 +133,8 @@ impl Regression<'_> {
         pad_rows(raw, self.prior_rows)
     }
 
-    /// By how much a candidate lowers the sum of squares; `None` where nothing of it is left, or
-    /// where it would have to be negative and cannot.
+    /// By how much a candidate lowers the sum of squares; `None` where it is linearly dependent on the fit, or where
+    /// it would have to be negative and cannot.
     fn gain(
         (factor, rank): (Vec<f64>, usize),
         candidate: &Candidate,

@@ -1,4 +1,4 @@
-//! How surprising a gain is by chance: with k columns against ν = m − p − k degrees of freedom
+//! The significance of a gain: with k columns against ν = m − p − k degrees of freedom
 //!
 //! ```text
 //! p = P(Beta(ν/2, k/2) < 1 − R²),   R² = gain / rss
@@ -26,7 +26,7 @@ pub(crate) struct Significance {
     table: Vec<f64>,
 }
 
-/// Tests that were made: their tables take longer than what is read from them.
+/// Tables of tests that were made: making one takes longer than reading it.
 #[derive(Debug, Default)]
 pub(crate) struct Tests(RefCell<Vec<(usize, u64, Rc<Significance>)>>);
 
@@ -46,7 +46,7 @@ impl Tests {
 }
 
 impl Significance {
-    /// For `columns` against `freedom` degrees of freedom that are left beside them.
+    /// For `columns` against the remaining `freedom` degrees of freedom.
     pub(crate) fn new(columns: usize, freedom: f64) -> Self {
         let mut new = Self {
             half_nu: 0.5 * freedom.max(1.0),

@@ -43,7 +43,7 @@ pub(super) struct Design<'a> {
     share: Vec<usize>,
     /// The share that nothing is chosen or fitted by.
     apart: Option<usize>,
-    /// Of what is known beforehand.
+    /// Of the priors.
     products: Option<Products>,
     total: Products,
     threads: Threads,
@@ -52,12 +52,12 @@ pub(super) struct Design<'a> {
 /// A column of the whole model: its number there, its term and coefficient.
 type Column = (usize, Term, usize);
 
-/// Whether a column is fitted here: names keep their values, as in what is handed out.
+/// Whether a column is fitted here: names keep their values, as in the model that is handed out.
 fn is_fitted(term: &Term, coefficient: usize) -> bool {
     base_model::belongs(term.effect.about().id) && !term.held.contains(coefficient)
 }
 
-/// What is known of the columns beforehand, as rows in units of its own width, and what is left of it.
+/// The priors of the columns as rows in units of their standard deviations, and their residuals.
 fn known_rows(
     problem: &Problem<'_>,
     model: &Model,
@@ -227,7 +227,7 @@ impl<'a> Design<'a> {
         self.products = Some(known);
     }
 
-    /// The same without a share, which what is chosen there has not seen.
+    /// The same without a share, which is held out of the choice.
     pub(super) fn without(&self, share: usize) -> Self {
         let mut now = self.clone();
         now.apart = Some(share);
@@ -308,7 +308,7 @@ impl<'a> Design<'a> {
         self.total.with_base(&solved.coefficients())
     }
 
-    /// The joint and the order that what is left shows beyond all noise, if any.
+    /// The joint and the order that exceeds all noise in the residuals, if any.
     pub(super) fn next_order(&self, strengths: &[f64]) -> Option<(usize, f64)> {
         if self.orders >= MOST_ORDERS || !self.noise.is_white() {
             return None;
@@ -353,7 +353,7 @@ impl<'a> Design<'a> {
         HeldOut::new(&self.whitened, &seen, folds, samples, self.threads)
     }
 
-    /// What the families bring on cells that the fit has not seen; the strengths are set again without them.
+    /// The gain of the families in cross-validation over cells; the strengths are determined again without them.
     pub(super) fn gains(&self, unseen: &HeldOut, strengths: &[f64]) -> Option<Gains> {
         let family = self.family_of();
         let squares = unseen.squares(|remaining| {
@@ -363,14 +363,14 @@ impl<'a> Design<'a> {
         Some(self.gains_of(&squares))
     }
 
-    /// Squares of the samples that are apart beside families of these strengths, mm²; zero of the others.
+    /// Squares of the samples that are held out apart with families of these strengths, mm²; zero of the others.
     pub(super) fn squares_apart(&self, strengths: &[f64]) -> Option<Vec<f64>> {
         let coefficients = self.solved(strengths)?;
         let (rows, samples) = (self.rows_apart(), self.folds.samples());
         Some(self.whitened.squares(&rows, &coefficients, samples))
     }
 
-    /// What squares of every sample without and with families say of these.
+    /// The gains from the squares of every sample without and with families.
     pub(super) fn gains_of(&self, squares: &[[f64; 2]]) -> Gains {
         Gains::of(&self.rows, squares)
     }

@@ -1,4 +1,4 @@
-//! What may predict without a name: families of columns, each with a strength of its own.
+//! Families of columns that may predict without a name, each with its own strength.
 //!
 //! Along the motion of a joint: gravity, what the conditions of measuring turn it by, harmonics of its
 //! own value and of those of its neighbours, a smooth curve over its range; across the joint's axis and
@@ -75,9 +75,9 @@ impl PoseFunction {
 /// A column: its function about its mean over the measured poses, and what one standard deviation of its coefficient
 /// is at strength 1.
 ///
-/// A constant is the geometry's to say (a zero offset, a frame). Over a narrow range a harmonic is hardly more than
-/// one: if both had it, they would grow against each other, and the geometry would be off by all of it where the
-/// correction has faded.
+/// A constant belongs to the geometry (a zero offset, a frame). Over a narrow range a harmonic is hardly more than
+/// one: if both had it, they would run away in opposite directions, and the geometry would be off by all of it where
+/// the correction has faded.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Column {
     pub(super) family: usize,

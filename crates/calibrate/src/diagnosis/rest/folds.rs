@@ -1,5 +1,5 @@
-//! How samples are held out of a curve: values of the joint, which a controller interpolates between, and runs,
-//! which show what comes back.
+//! Folds for the cross-validation of a curve: values of the joint, which a controller interpolates between, and runs,
+//! which test repetition.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use super::columns::Columns;
 use crate::text::Text;
 use crate::{budget, rounding};
 
-/// Which part each sample is in; `None`: no fit goes without it.
+/// The fold of each sample; `None`: it is in every fit.
 pub(super) struct Folds {
     of: Vec<Option<usize>>,
     pub(super) count: usize,

@@ -1,16 +1,16 @@
-//! Groups of columns without a name beside a base: how likely the samples are with them, their coefficients, and how
-//! strong each is, by restricted likelihood.
+//! The evidence of groups of columns without a name in addition to a base, their coefficients, and the variance of
+//! each group, by restricted likelihood.
 //!
 //! ```text
 //! y = J β + B c + e,   e ~ N(0, σ²),   c_k ~ N(0, σ² v_f)
 //! ln E = −½ ln|I + V^½ S V^½| − (ν/2) ln(yᵀP y − gᵀc),   S = BᵀP B,   g = BᵀP y,   P = 1 − J J⁺,   ν = rows − rank J
 //! ```
 //!
-//! A group may be columns that are there (a family of an arm) or combinations of them (a curve of a kernel through its
+//! A group may be columns themselves (a family of an arm) or combinations of them (a curve of a kernel through its
 //! knots, [`Remaining::through`]). The strengths v are fixed points of `v_f = |c_f|²/(σ² γ_f)`, `γ_f` the number of a
-//! group's columns that the samples determine (`MacKay` 1992; Harville 1977). A group whose strength falls to nothing
-//! is left out, and one without which the samples are nearly as likely as well. (Restricted likelihood: Wahba 1985,
-//! Wood 2011.)
+//! group's columns that the samples determine (`MacKay` 1992; Harville 1977). A group whose strength falls to zero is
+//! dropped, and so is one without which the samples are nearly as likely. (Restricted likelihood: Wahba 1985, Wood
+//! 2011.)
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
@@ -22,7 +22,7 @@ use crate::{budget, rounding};
 /// A group that determines less than this many columns is nothing.
 const NOTHING: f64 = 0.05;
 
-/// What is left once the base has taken its part.
+/// The normal equations projected orthogonal to the base.
 #[derive(Debug, Clone)]
 pub(super) struct Remaining {
     s: DMatrix<f64>,
@@ -40,7 +40,7 @@ pub(super) struct Solved {
     /// Coefficients in units of their standard deviations, and these.
     unit: DVector<f64>,
     root: Vec<f64>,
-    /// Sum of squares that is left.
+    /// Residual sum of squares.
     rss: f64,
     freedom: f64,
 }
@@ -75,8 +75,8 @@ impl Solved {
         Some(-0.5 * ln_determinant - 0.5 * self.freedom * rss.ln())
     }
 
-    /// The strength of the group whose columns these are that fits its coefficients; nothing where the samples
-    /// determine none of them.
+    /// The strength of the group with these columns that fits its coefficients; zero where the samples determine none
+    /// of them.
     fn next_strength(&self, inverse: &DMatrix<f64>, first: usize, count: usize) -> f64 {
         let columns = first..first + count;
         let known = |k: usize| 1.0 - inverse.column(k).norm_squared();
@@ -230,8 +230,8 @@ impl Remaining {
         Some(strengths)
     }
 
-    /// The strengths of the groups that are worth it; the others have none. Also how much likelier
-    /// the samples are with them, as a logarithm.
+    /// The strengths of the groups whose gain exceeds their penalty; the others have none. Also how much likelier the
+    /// samples are with them, as a logarithm.
     pub(super) fn strengths(&self, group: &[usize], count: usize) -> Option<(Vec<f64>, f64)> {
         let first = self.first(group, count);
         let needed = PRICE_OF_A_VARIANCE + (count.max(1) as f64).ln();

@@ -1,5 +1,5 @@
-//! Orders of gears in what is left: a periodogram over each joint along its motion. Strain-wave gears
-//! have orders of hundreds of cycles per turn.
+//! Orders of gears in the residuals: a periodogram over each joint along its motion. Strain-wave gears have orders of
+//! hundreds of cycles per turn.
 
 use std::borrow::Cow;
 
@@ -16,7 +16,7 @@ const TO: f64 = 420.0;
 /// Steps within the resolution of the range.
 const STEPS: f64 = 4.0;
 
-/// What is left, whitened, and what a turn of each joint does to it.
+/// The residuals, whitened, and the derivative of the rows with respect to each joint.
 pub(super) struct Residual<'r> {
     pub(super) robot: &'r Robot,
     pub(super) q: &'r [Cow<'static, [f64]>],
@@ -78,7 +78,7 @@ fn different(q: &[f64]) -> usize {
     sorted.len()
 }
 
-/// Of each sample: a turn's product with what is left, and with itself.
+/// Of each sample: the product of a joint's column with the residuals, and with itself.
 struct Sums {
     with_residual: Vec<f64>,
     with_itself: Vec<f64>,
@@ -114,7 +114,7 @@ impl Sums {
     }
 }
 
-/// The products of a wave with what is left and with itself.
+/// The products of a wave with the residuals and with itself.
 struct Summing<'s> {
     sums: &'s Sums,
     sin: &'s [f64],

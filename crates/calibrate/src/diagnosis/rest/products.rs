@@ -16,7 +16,7 @@ pub(super) struct Products {
 }
 
 impl Products {
-    /// Of these rows; `floor` is what rounding leaves in one of them, squared.
+    /// Of these rows; `floor` is the square of the rounding in one of them.
     pub(super) fn of(all: &DMatrix<f64>, base: usize, rows: &[usize], floor: f64) -> Self {
         let mut gram = gram(&all.select_rows(rows));
         let last = gram.nrows() - 1;
@@ -119,7 +119,7 @@ impl Products {
         ))
     }
 
-    /// The step of the base beside given coefficients of the columns without a name, in front of these.
+    /// The step of the base given coefficients of the columns without a name, in front of these.
     pub(super) fn with_base(&self, coefficients: &DVector<f64>) -> Option<DVector<f64>> {
         let (n, p) = (self.base, coefficients.len());
         let last = self.gram.nrows() - 1;

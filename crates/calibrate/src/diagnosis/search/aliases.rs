@@ -49,8 +49,8 @@ pub(crate) fn open_rivals(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     kept.into_iter().cloned().collect()
 }
 
-/// Ends of searches under another noise, as rivals: what each names in the place of what. Where one
-/// only names more, as where a wander may be a name as well, all its names stand for all of the fit's.
+/// Ends of searches under another noise, as rivals: what each names in the place of what. Where one only names more,
+/// as where a drift may be a name as well, all its names replace all of the fit's.
 pub(crate) fn under_another_noise(regression: &Regression, fit: &Fit, ends: &[Fit]) -> Vec<Rival> {
     let all = |of: &Fit| -> Vec<Term> { regression.added(of).into_iter().cloned().collect() };
     let only_in = |a: &Fit, b: &Fit| -> Vec<Term> {
@@ -130,7 +130,7 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     let reduced = Rc::new(regression.fit(&model, &fit.shapes));
     let enough = fit.ln_evidence - odds::TAKEN.nats() - reduced.ln_evidence;
     let there = regression.added(&reduced);
-    // By the table beside the whole fit; what comes close is refitted.
+    // By the first-order table of the whole fit; what comes close is refitted.
     let mut scores = match regression.without_all(fit, removed) {
         Some(without) => {
             let around = regression.projections(fit, CandidateSubset::Names);
@@ -167,9 +167,9 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     }
 }
 
-/// A fit with two names more, for each pair that is worth this much as a logarithm; the likeliest by the
-/// scan first. Two that nearly cancel each other, such as a base that stands too high beside a link that
-/// droops, gain little one by one.
+/// A fit with two names more, for each pair whose gain is at least this, as a logarithm; the likeliest by the scan
+/// first. Two that nearly cancel each other, such as a base that is too high and a link that droops, gain little one
+/// by one.
 pub(crate) fn with_pairs<'f>(
     regression: &'f Regression,
     fit: &'f Fit,
@@ -233,7 +233,7 @@ struct Piece {
     first: usize,
     /// Its first row among those that may be the better one of a pair.
     row: Option<usize>,
-    /// What it takes of the residual.
+    /// Its products with the residual.
     h: DVector<f64>,
 }
 
@@ -249,17 +249,17 @@ fn best_pairs(
         let r2 = (gain / reduced.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-12);
         -0.5 * m * (-r2).ln_1p() - 0.5 * rank as f64 * m.ln() - price
     };
-    // Correlated candidates can do more together than the sum of both, but seldom: a quick look
-    // saves the rest.
+    // Correlated candidates can gain more together than the sum of both, but seldom: a quick bound saves the
+    // computation.
     let hopeless = |bound: f64, price: f64| worth(4.0 * bound, 2, price) < enough;
-    // Nothing is made of candidates of which none may be the better one of a pair.
+    // Nothing is computed of candidates that can never be the better one of a pair.
     let best = scores.iter().map(|s| s.gain).fold(0.0, f64::max);
     if hopeless(2.0 * MORE * best, 2.0 * EFFECT_PRIOR_PENALTY) {
         return Vec::new();
     }
     let list: Vec<usize> = scores.iter().map(|s| s.candidate).collect();
-    // Each candidate made orthonormal by itself. The better one of a pair does half of it at least:
-    // products with those that may be the better one are all that is needed.
+    // Each candidate made orthonormal alone. The better one of a pair gains half of it at least: products with those
+    // that may be the better one are all that is needed.
     let mut pieces: Vec<Piece> = Vec::new();
     let mut all: Vec<f64> = Vec::new();
     let mut better: Vec<f64> = Vec::new();

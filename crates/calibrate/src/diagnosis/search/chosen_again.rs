@@ -1,5 +1,5 @@
-//! A name of an arm that few poses show has to predict poses by which its joint and its setting were not chosen. There the
-//! geometry takes most of what the samples say, and what chance leaves of the rest looks like some joint's gear.
+//! A name of an arm that few poses show has to predict poses by which its joint and its setting were not chosen. There
+//! the geometry takes most of the information, and what chance leaves looks like some joint's gear.
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;

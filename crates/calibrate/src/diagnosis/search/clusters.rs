@@ -1,6 +1,6 @@
-//! Suspects that stand together over a joint's angle are evidence of something local, not
-//! accidents: they are put back. Not where they are gross: no machine has such an error, and rows of which the joint's
-//! value is missing stand together as well.
+//! Suspects in a cluster over a joint's angle are evidence of something local, not accidents: they are used again. Not
+//! where they are gross: no machine has such an error, and rows of which the joint's value is missing are a cluster as
+//! well.
 
 use std::cell::LazyCell;
 use std::collections::BTreeSet;
@@ -12,7 +12,7 @@ use crate::model::Model;
 use crate::thresholds::GROSS_SHARE;
 use crate::{fewest, odds};
 
-/// Puts back what stands together.
+/// Uses clusters again.
 pub(super) fn keep(problem: &mut Problem, base: &Model) {
     let fit = problem.to_fit().to_vec();
     let counted = problem.counted().iter();

@@ -1,5 +1,5 @@
-//! The set of names that a search ends with, tested once more: each name against the rest, with the
-//! null of this very fit. A name that entered early may be worth nothing beside what came later.
+//! The final test of a set of names: each given the others, with the null of this very fit. A name that was added
+//! early may gain nothing given those that came later.
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
@@ -11,7 +11,7 @@ use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::{Cancelled, Progress, Watch};
 use crate::odds;
 
-/// Takes out, worst first, every name that does not carry itself.
+/// Takes out, worst first, every name that is not significant on its own.
 pub(crate) fn test(
     prepared: &PreparedSearch,
     found: &mut SearchResult,
@@ -21,7 +21,7 @@ pub(crate) fn test(
     Ok(())
 }
 
-/// A fit without the names that do not carry themselves in it.
+/// A fit without the names that are not significant on their own.
 pub(crate) fn tested(
     prepared: &PreparedSearch,
     mut fit: Fit,
@@ -35,7 +35,7 @@ pub(crate) fn tested(
         let unseen = prepared.folds.rms(regression, &fit);
         let terms = regression.added(&fit).into_iter();
         let mut worths: Vec<_> = terms.map(|t| (worth(prepared, &fit, t), t)).collect();
-        // The first that does not carry itself is the worst of them: nothing is asked of the others.
+        // The first that is not significant is the worst of them: the others are not tested.
         worths.sort_by(|a, b| a.0.ln_odds.total_cmp(&b.0.ln_odds));
         let worst = worths.into_iter().find_map(|(worth, term)| {
             let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
@@ -59,8 +59,8 @@ pub(crate) fn is_likelier(rival: &Fit, fit: &Fit) -> bool {
     rival.ln_evidence > fit.ln_evidence + EQUALLY_LIKELY
 }
 
-/// Whether a rival is likelier than a fit, and each of its names carries itself: what does not is no reason to
-/// doubt what does.
+/// Whether a rival is likelier than a fit, and remains so without those of its names that are not significant on their
+/// own.
 pub(crate) fn exceeds_when_tested(prepared: &PreparedSearch, rival: &Fit, fit: &Fit) -> bool {
     let tested = || tested(prepared, rival.clone(), &|_| true);
     is_likelier(rival, fit) && tested().is_ok_and(|rival| is_likelier(&rival, fit))
@@ -88,8 +88,8 @@ pub(crate) fn exchanged(prepared: &PreparedSearch, found: &mut SearchResult) -> 
     changed
 }
 
-/// Holds the set against what will be said of it: a name in whose place another alone is likelier gives way
-/// to it, and one with which the error on unseen samples does not fall is taken out.
+/// Tests a set as it will be reported: a name that another alone exceeds in its place is replaced by it, and one with
+/// which the error on unseen samples does not fall is taken out.
 pub(crate) fn test_as_reported(
     prepared: &PreparedSearch,
     found: &mut SearchResult,
@@ -97,7 +97,7 @@ pub(crate) fn test_as_reported(
 ) -> Result<(), Cancelled> {
     let regression = &prepared.regression;
     let base = regression.fit(&regression.base, &[]);
-    // Where no more work may be done as many are exchanged as there are names, and not tested anew.
+    // Where the budget is spent as many are exchanged as there are names, and not tested again.
     let mut in_haste = regression.added(&found.fit).len();
     loop {
         if !watch(&Progress::Comparing) {
@@ -144,8 +144,8 @@ pub(crate) fn test_as_reported(
     }
 }
 
-/// What is said where a search ends with a fit: names that carry themselves, each likelier than another in its
-/// place.
+/// What would be reported where a search ends with a fit: names that are significant on their own, each likelier than
+/// another in its place.
 pub(crate) fn reportable(prepared: &PreparedSearch, fit: Fit) -> Option<Fit> {
     let watch: Watch = &|_| true;
     let names = fit.clone();
@@ -172,7 +172,7 @@ mod tests {
     use crate::diagnosis::candidates::table::CandidateKind;
     use crate::diagnosis::tests::eccentric;
 
-    /// What is said of a set of these names that a search would have ended with.
+    /// What is reported of a search that would have ended with this set of names.
     fn said_of(names: &[&str]) -> Vec<&'static str> {
         let session = eccentric(15, 0.03);
         let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();

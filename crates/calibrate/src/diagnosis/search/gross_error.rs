@@ -1,6 +1,5 @@
-//! No name while the error is gross: what leaves more than a hundredth of the robot's size is no effect
-//! beside a geometry that fits, but rows, a set-up or a description that is wrong in a way that was not
-//! recognised.
+//! No name while the error is gross: a residual of more than a hundredth of the robot's size is no effect, but rows, a
+//! set-up or a description that is wrong in a way that was not recognised.
 
 use super::base_misfit::residual_mm;
 use super::found::SearchResult;

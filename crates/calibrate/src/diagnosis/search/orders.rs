@@ -1,9 +1,9 @@
 //! Several orders over the same joint, fitted together.
 //!
-//! A search takes one order after the other, and the first of some neighbours settles between them: a
-//! number that is right for it alone and wrong beside the others. So all orders are tried as whole numbers
-//! at once, and each is refined beside the rest. What an order that is not whole is unsure of, amplitudes
-//! and phases are unsure of as well: with D the change of the rows by the orders and J all other columns,
+//! A search adds one order after the other, and the first of some neighbours settles between them: a number that is
+//! optimal for it alone and wrong together with the others. So all orders are tried as whole numbers at once, and each
+//! is refined given the others. The uncertainty of an order that is not whole adds to that of amplitudes and phases:
+//! with D the derivative of the rows with respect to the orders and J all other columns,
 //!
 //! ```text
 //! V = (Dᵀ (1 − J J⁺) D)⁻¹,   cov(β) = (JᵀJ)⁻¹ + J⁺D V (J⁺D)ᵀ
@@ -31,7 +31,7 @@ fn is_fraction(term: &Term) -> bool {
     takes_fractions(term) && term.setting.fract() != 0.0
 }
 
-/// The likeliest of a fit's orders as they are, all of them whole, and each refined beside the others.
+/// The likeliest of a fit's orders as they are, all of them whole, and each refined given the others.
 pub(crate) fn together(regression: &Regression, fit: Fit) -> Fit {
     let orders = |fit: &Fit| -> Vec<Term> {
         let added = regression.added(fit).into_iter().cloned();
@@ -41,7 +41,7 @@ pub(crate) fn together(regression: &Regression, fit: Fit) -> Fit {
     if own.len() < 2 || !own.iter().any(is_fraction) {
         return fit;
     }
-    // Sets before single orders: rounded one by one, an order that stands between two keeps both away.
+    // Sets before single orders: rounded one by one, an order between two keeps both away.
     let joints = 0..regression.base.robot.joints.len();
     let sets = joints.filter_map(|joint| whole_set(regression, &fit, joint));
     let whole: Vec<Fit> = sets.chain(all_whole(regression, &fit, &own)).collect();
@@ -100,8 +100,8 @@ const AROUND: f64 = 3.0;
 /// … of sets of so many at most.
 const MOST_OF_A_SET: usize = 4;
 
-/// The fit with the likeliest set of whole orders in the place of neighbouring ones of which some are fractions:
-/// as many, or one more. One order that stands between two is no step away from them.
+/// The fit with the likeliest set of whole orders in the place of neighbouring ones of which some are fractions: as
+/// many, or one more. From one order between two no step leads to both.
 fn whole_set(regression: &Regression, fit: &Fit, joint: usize) -> Option<Fit> {
     let added = regression.added(fit).into_iter();
     let mut own: Vec<Term> = added
@@ -193,9 +193,9 @@ pub(crate) struct OrderSpread {
 }
 
 impl OrderSpread {
-    /// `None` where every order is whole, or where the samples do not tell them.
+    /// `None` where every order is whole, or where the samples do not determine them.
     pub(crate) fn of(problem: &Problem, model: &Model) -> Option<Self> {
-        // What a gear ratio says is not fitted.
+        // An order that follows from a gear ratio is not fitted.
         let fitted = |t: &&Term| is_fraction(t) && stated(&model.robot, t).is_none();
         let fractions = model.terms().iter().filter(fitted);
         let orders: Vec<Term> = fractions.cloned().collect();
@@ -235,7 +235,7 @@ impl OrderSpread {
         })
     }
 
-    /// Adds to a covariance of the coefficients, which may be followed by others, what the orders carry.
+    /// Adds the uncertainty of the orders to a covariance of the coefficients, which may be followed by others.
     pub(crate) fn add_to(&self, covariance: &mut DMatrix<f64>) {
         let own = self.carried.nrows();
         if covariance.nrows() >= own {

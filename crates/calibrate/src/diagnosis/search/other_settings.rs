@@ -1,9 +1,9 @@
-//! The same name at another setting that the samples cannot part: at n equal steps of a turn the order k
-//! of a gear is the same samples as n·j ± k, and over equal steps of its travel a screw of one lead the
+//! The same name at another setting that is indistinguishable in the samples (aliasing): at n equal steps of a turn
+//! the order k of a gear gives the same samples as n·j ± k, and over equal steps of its travel a screw of one lead the
 //! same as one of another.
 //!
-//! Nothing is assumed of the steps: every setting of the name is tried in its place, so that nearly equal
-//! steps, half of a turn or several grids at once count as what they are.
+//! Nothing is assumed of the steps: every setting of the name is tried in its place, so that nearly equal steps, half
+//! of a turn or several grids at once are covered.
 
 use crate::diagnosis::evidence::NEIGHBOURS;
 use crate::diagnosis::evidence::{Fit, MOST_SETTINGS, Regression};

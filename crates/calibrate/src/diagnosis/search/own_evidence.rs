@@ -1,9 +1,9 @@
-//! Whether the samples speak for a name, or what is known beforehand of the geometry does.
+//! Whether the evidence for a name is in the samples, or only in the priors of the geometry.
 //!
-//! Where few poses show the geometry, the base is held by how far off links, zero offsets and tools usually are.
-//! A robot that is farther off then leaves an error that a name may take up: one that the geometry would take up
-//! as well, were it not held. So every name is tested once more with the geometry known ten times less well. What
-//! is left of it has to be as improbable by chance as before.
+//! Where few poses determine the geometry, the priors hold the base: how far off links, zero offsets and tools usually
+//! are. A robot that is farther off then leaves an error that a name may take up: one that the geometry would take up
+//! as well, were it free. So every name is tested once more with ten times wider priors of the geometry. Its remaining
+//! gain has to be as improbable by chance as before.
 
 use nalgebra::DMatrix;
 
@@ -50,7 +50,7 @@ pub(super) fn least_proven(prepared: &PreparedSearch, fit: &Fit) -> Option<Term>
     for term in fit.model.terms() {
         let size = term.coefficients.len();
         if terms.iter().any(|t| t.same_column(term)) {
-            // −ln p of some columns: of the term alone, and of what is proven together with it.
+            // −ln p of some columns: of the term alone, and of those that are tested together with it.
             let of = |own: &[usize]| {
                 let kept: Vec<usize> = (0..width).filter(|k| !own.contains(k)).collect();
                 let reduced: DMatrix<f64> = all.select_columns(&kept);

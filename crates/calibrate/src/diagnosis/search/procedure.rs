@@ -1,4 +1,4 @@
-//! The whole search.
+//! The whole search, step by step.
 
 use crate::effects::{Owner, Term};
 use crate::fit::noise::Noise;
@@ -15,7 +15,7 @@ use crate::diagnosis::evidence::{FIRST_SEARCH, OTHER_SETS, RIVALS, SECOND_SEARCH
 use crate::diagnosis::options::Options;
 use crate::diagnosis::progress::{Cancelled, Progress, Watch};
 
-/// A watcher who is not asked again once the search was stopped, where what is proven until then is wanted.
+/// A watcher who is not asked again once the search was stopped, where the result until then is wanted.
 pub(crate) fn until_stopped<'w>(
     work: &'w Work,
     options: &Options,
@@ -45,8 +45,8 @@ pub(crate) fn checked<'a>(
     Ok(set_up_errors::corrected(session, options.joint_values))
 }
 
-/// The whole search, in five steps, of a session made ready ([`prepared`]). A step may be cut short where the work that it may cost is done ([`Work`]) or the
-/// user stops it; what is proven until then is the answer.
+/// The whole search, in five steps, of a prepared session ([`prepared`]). A step may be cut short where its budget is
+/// spent ([`Work`]) or the user stops it; the result until then is the answer.
 pub(crate) fn searched<'a>(
     mut prepared: PreparedSearch<'a>,
     options: &Options,
@@ -66,11 +66,11 @@ pub(crate) fn searched<'a>(
     (prepared, found) = compare_with_rivals(prepared, found, watch)?;
     slowest::readings(&prepared, &mut found);
     free_curve::rival(&prepared, &mut found, true);
-    // 4. Each name against the rest, and against other sets that are as likely.
+    // 4. Each name given the others, and compared with other sets that are as likely.
     work.up_to(OTHER_SETS);
     test_at_the_end(&prepared, &mut found, watch)?;
     slowest::readings(&prepared, &mut found);
-    // 5. No name for what few values or poses, the geometry, the rows or the set-up leave.
+    // 5. No name where few values or poses, the geometry, the rows or the set-up are the reason.
     free_curve::withdraw_of_few_values(&prepared, &mut found);
     chosen_again::withdraw(&prepared, &mut found);
     base_misfit::withdraw(&prepared, &mut found);
@@ -116,8 +116,9 @@ fn search_again(
     }
 }
 
-/// What was found against its rivals that are no names. A search that may not go on leaves names unsaid: neither
-/// a slow part of the noise nor a free curve is held against those it has, and the verdict says that something is left.
+/// Compares what was found with its rivals that are no names. After a search that was cut short names may be missing:
+/// then neither a slow part of the noise nor a free curve is compared with those it has, and the verdict reports that
+/// something is unexplained.
 fn compare_with_rivals<'a>(
     prepared: PreparedSearch<'a>,
     found: SearchResult,
@@ -128,12 +129,12 @@ fn compare_with_rivals<'a>(
     }
     let work = prepared.regression.work.clone();
     let likelier = against_rivals(&prepared, found, watch)?;
-    // What was held against the end was not left out of it.
+    // What the comparison spent does not count as left out of the search.
     work.begin_again();
     Ok(likelier)
 }
 
-/// Tests the names that are left, once more where one is exchanged, and takes those that can be said.
+/// Tests the remaining names, once more where one is exchanged, and keeps those that can be reported.
 fn test_at_the_end(
     prepared: &PreparedSearch,
     found: &mut SearchResult,
@@ -195,9 +196,9 @@ fn against_rivals<'a>(
     Ok((prepared, found))
 }
 
-/// How likely an end of a search is beside the others. A step or a drift of the measuring frame is a
-/// movement of the frame as a slow part of the noise is, and no set of equivalent names can hold the
-/// noise: such a name stands unless the noise rules it out.
+/// The evidence of an end of a search for comparison with others. A step or a drift of the measuring frame is a
+/// movement of the frame as a slow part of the noise is, and no set of equivalent names can contain the noise: such a
+/// name is kept unless the noise rules it out.
 fn comparable_ln_evidence(prepared: &PreparedSearch, end: &SearchResult) -> f64 {
     let names = prepared.regression.added(&end.fit);
     let of_the_frame = |t: &&Term| t.effect.about().owner == Owner::Session;
@@ -206,8 +207,8 @@ fn comparable_ln_evidence(prepared: &PreparedSearch, end: &SearchResult) -> f64 
     end.fit.ln_evidence + if favour { odds::OPEN.nats() } else { 0.0 }
 }
 
-/// A search whose noise is estimated beside what it finds, until that is the same, or one that was searched
-/// already.
+/// A search whose noise is estimated given what it finds, until the noise no longer changes, or is one that was
+/// searched already.
 fn settled_search<'a>(
     mut prepared: PreparedSearch<'a>,
     searched: &Noise,

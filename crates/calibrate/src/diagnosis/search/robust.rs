@@ -1,11 +1,10 @@
-//! Outliers while the base model is still poor: beside many columns at once whatever is smooth or
-//! periodic is followed, and what stands apart from that is an outlier, not an effect.
+//! Outliers while the base model is still incomplete: with many columns at once whatever is smooth or periodic is
+//! fitted, and what deviates from that is an outlier, not an effect.
 //!
-//! Iteratively reweighted least squares on whole samples: Huber's weights first, then Tukey's
-//! biweight, which redescends to zero (Holland & Welsch 1977). A deviation is divided by the share
-//! of it that a fit leaves. Rows with the same commands weigh as one: eight shots at a pose that was missed are no eighth
-//! of a curve.
-//! What stands apart beside the base comes back where the other poses predict most of it with the many columns,
+//! Iteratively reweighted least squares on whole samples: Huber's weights first, then Tukey's biweight, which
+//! redescends to zero (Holland & Welsch 1977). A residual is divided by its share of the deviation, one minus the
+//! leverage. Rows with the same commands weigh as one: eight shots at a pose that was missed are no eighth of a curve.
+//! An outlier of the base model is used again where the other poses predict most of it with the many columns,
 //!
 //! ```text
 //! |e₋ₚ| < ½ |e of the base|,   e₋ₚ = (1 − A W)⁻¹ e,   A = Qₚ (Qᵀ W Q)⁻¹ Qₚᵀ
@@ -30,7 +29,7 @@ use crate::{fewest, rounding};
 use crate::diagnosis::evidence::Regression;
 
 /// The columns are too many where they are more than this share of the rows. (Derived: the mean leverage is then above
-/// ½, a fit follows most of whatever stands apart, and good poses stand apart from that.)
+/// ½, a fit follows most of any outlier, and good poses deviate from that.)
 const MOST_OF_ROWS: f64 = 0.5;
 
 /// Rounds of each kind of weights.
@@ -138,7 +137,7 @@ pub(crate) fn suspected_given_many(
     with(&rows, marked, &condemned)
 }
 
-/// Rows that say something of their own: those of a pose tell no more than where one body is.
+/// The number of independent rows: those of a pose show no more than where one body is.
 fn independent_rows(rows: &Rows, places: &ByPose) -> usize {
     let own = |i: usize| {
         let observed = rows.observed();
@@ -199,9 +198,9 @@ fn as_of_three(rows: &Rows, observation: usize) -> f64 {
 
 /// A weighted fit.
 struct Weighted {
-    /// What it leaves.
+    /// The residuals.
     residuals: DVector<f64>,
-    /// Of each row the variance that it leaves of the noise.
+    /// Of each row the share of the noise variance in its residual.
     kept: Vec<f64>,
     /// `L⁻¹ Qᵀ`, where `L Lᵀ = Qᵀ W Q`.
     spread: DMatrix<f64>,

@@ -1,5 +1,5 @@
-//! What settles a fit after a step: terms are exchanged for those that do better in their place, what is not needed is
-//! dropped, one or two go for one or two others, until nothing changes.
+//! Settles a fit after a step: terms are exchanged for better ones, what is not needed is dropped, one or two are
+//! replaced by one or two others, until nothing changes.
 
 use std::rc::Rc;
 
@@ -17,12 +17,12 @@ use crate::odds;
 
 /// So far off may log-odds be that are known to first order …
 const FIRST_ORDER: f64 = 2.0;
-/// … and a fall of the sum of squares is at least this share of what it is to first order.
+/// … and the sum of squares falls by at least this share of the first-order gain.
 const SURELY: f64 = 0.8;
-/// Log-odds by which a term has to be needed beside the others.
+/// Log-odds by which a term has to be needed given the others.
 /// Calibrated, as the two below (`hidden_effects unknown`, `strange`).
 pub(crate) const NEEDED: f64 = 1.0;
-/// Beside a shape a name has to be needed clearly, or it only mends the shape's edges …
+/// With a shape a name has to be needed clearly, or it only corrects the shape's edges …
 const NEEDED_WITH_A_SHAPE: f64 = 5.0;
 /// … and more so where both follow the value of the same joint: what is unknown there may have any
 /// form, and most of it looks like some name.
@@ -60,8 +60,8 @@ impl Search<'_, '_> {
         fit
     }
 
-    /// Exchanges each term or shape for the candidate that does best in its place. What could not come near by
-    /// the table beside the whole fit is not tried.
+    /// Exchanges each term or shape for the best candidate in its place. Candidates that could not come close by the
+    /// first-order table of the whole fit are not tried.
     fn swap(&self, fit: Fit, allow: Additions) -> Fit {
         let mut fit = fit;
         if self.count(&fit) < 2 && fit.shapes.is_empty() {
@@ -139,7 +139,7 @@ impl Search<'_, '_> {
         best
     }
 
-    /// Drops what is no longer needed beside the others.
+    /// Drops what is no longer needed given the others.
     fn drop(&self, fit: Fit) -> Fit {
         let mut fit = fit;
         loop {

@@ -1,12 +1,12 @@
-//! The slowest reading of a wave: over equal steps a wave is the same samples as slower ones and quicker ones,
+//! The slowest alias of a wave: over equal steps a wave gives the same samples as slower ones and quicker ones,
 //!
 //! ```text
 //! f' = |f − n/h|   (f in waves per rad or mm, h the step, n whole)
 //! ```
 //!
-//! (Nyquist: nothing quicker than half a wave a step can be told from a slower one.) Between the steps they are
-//! different, and a table has to follow one: the slowest, which is wrong by the least where it is wrong. Where the
-//! name has no such setting it is withdrawn, and a curve over the joint stands in its place.
+//! (Nyquist: nothing quicker than half a wave a step can be distinguished from a slower one.) Between the steps they
+//! differ, and a table has to follow one: the slowest, whose error is the smallest where it is wrong. Where the name
+//! has no such setting it is withdrawn, and a curve over the joint takes its place.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! What each effect adds, in the order of what it adds, with its evidence in numbers and words.
+//! The gain of each effect, in the order in which they are added, with its evidence in numbers and words.
 
 use nalgebra::DMatrix;
 
@@ -65,8 +65,7 @@ pub(crate) fn steps(prepared: &PreparedSearch, base: &Fit, fit: &Fit) -> Vec<Ste
     steps
 }
 
-/// Places of the terms that may be the likeliest beside a fit with the fewer of them, by their columns in the fit
-/// with all.
+/// Indices of the terms that may be the likeliest to add to the reduced fit, by their columns in the full fit.
 fn likeliest(
     regression: &Regression,
     (all, white): (&Fit, &DMatrix<f64>),
@@ -107,14 +106,14 @@ fn likeliest(
 /// The likeliest other name in the place of one.
 pub(crate) struct Next {
     pub(crate) term: Term,
-    /// Logarithm of how much likelier the rest is with it.
+    /// Logarithm of how much likelier the reduced fit is with it.
     pub(crate) ln_odds: f64,
-    /// The rest with it, where it is close.
+    /// The reduced fit with it, where it is close.
     pub(crate) fit: Option<Fit>,
 }
 
 impl Next {
-    /// The likeliest that is compatible with the rest.
+    /// The likeliest that is compatible with the other terms.
     pub(crate) fn than(
         prepared: &PreparedSearch,
         fit: &Fit,
@@ -124,7 +123,7 @@ impl Next {
         let regression = &prepared.regression;
         let about = term.effect.about();
         let there = regression.added(&worth.reduced);
-        // By the table beside the whole fit; what comes close is refitted.
+        // By the first-order table of the whole fit; what comes close is refitted.
         let scores = match regression.without(fit, term) {
             Some(reduced) => {
                 let around = regression.projections(fit, CandidateSubset::Names);

@@ -1,4 +1,4 @@
-//! What a name is worth beside the other names of a fit.
+//! The significance and the odds of a name given the other names of a fit.
 
 use crate::effects::Term;
 
@@ -6,7 +6,7 @@ use super::prepare::PreparedSearch;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Significance;
 
-/// What one term is worth beside the others.
+/// The significance and the odds of one term given the others.
 #[derive(Debug, Clone)]
 pub(crate) struct Worth {
     /// The fit without it.
@@ -17,7 +17,7 @@ pub(crate) struct Worth {
     pub(crate) ln_odds: f64,
 }
 
-/// What a term is worth beside the others of a fit.
+/// The significance and the odds of a term given the others of a fit.
 pub(crate) fn worth(prepared: &PreparedSearch, fit: &Fit, term: &Term) -> Worth {
     let regression = &prepared.regression;
     let reduced = regression.without_term(fit, term);
@@ -26,7 +26,7 @@ pub(crate) fn worth(prepared: &PreparedSearch, fit: &Fit, term: &Term) -> Worth 
     let share = ((reduced.rss - fit.rss) / reduced.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
     let tried = regression.price_of_term(term);
     let mut minus_ln_p = Significance::new(rank, freedom).of(share) - 0.5 * tried;
-    // Orders of one gear that are there together are no chance if all of them are none.
+    // Orders of one gear are tested together: that none of them exists is one null hypothesis.
     let together = regression.together(fit, term);
     if together.len() > 1 {
         let gone = |t: &Term| together.iter().any(|own| own.same_column(t));

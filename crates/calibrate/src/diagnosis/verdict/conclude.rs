@@ -1,5 +1,4 @@
-//! From where the search ended to the answer: refits on all samples, and the evidence of every
-//! step put together.
+//! From the end of the search to the answer: refits on all samples, and the evidence of every step.
 
 use crate::effects::{JointValues, Term, called};
 use crate::fit::base_model;
@@ -66,8 +65,7 @@ pub(crate) fn answer(
         &mut unexplained,
     );
     report_open_questions(prepared, &named.dropped, &mut unexplained);
-    // What predicts without a name joins the model once everything is said of the names, whose fits need no room
-    // any more.
+    // What predicts without a name joins the model once the names are evaluated; their fits are then freed.
     regression.forget();
     let with = Predicting::with(prepared, &named, found.len(), &unexplained);
     let mut identification = identification(prepared, &named.alone, &with.values);
@@ -121,7 +119,7 @@ pub(crate) fn answer(
     })
 }
 
-/// An error that no noise is so large as is unexplained, whatever the floor says.
+/// An error larger than any noise is unexplained, whatever the floor.
 fn report_gross_error(why: Text, end_mm: f64, unexplained: &mut Unexplained) {
     if !unexplained.present {
         unexplained.present = true;
@@ -131,8 +129,8 @@ fn report_gross_error(why: Text, end_mm: f64, unexplained: &mut Unexplained) {
     unexplained.description = behind(why, std::mem::take(&mut unexplained.description));
 }
 
-/// The noise as it is said. Of several kinds of measurement the search knows one number, which stands for σ of
-/// each; in mm it is what lengths are left with.
+/// The noise as reported. Of several kinds of measurement the search knows one number, which replaces σ of each; in mm
+/// it is the RMS residual of lengths.
 fn noise_of(prepared: &PreparedSearch, values: &Values) -> Noise {
     let regression = &prepared.regression;
     let own = values.problem.noise.clone();
@@ -145,7 +143,7 @@ fn noise_of(prepared: &PreparedSearch, values: &Values) -> Noise {
     noise.scaled(found_mm / searched_mm.max(f64::MIN_POSITIVE))
 }
 
-/// Says which names were found and are not handed out, and that the search was stopped.
+/// Reports which names were found and are not handed out, and that the search was stopped.
 fn report_open_questions(
     prepared: &PreparedSearch,
     dropped: &[Term],
@@ -161,7 +159,7 @@ fn report_open_questions(
     }
 }
 
-/// What is handed out, as `identify` would say it.
+/// What is handed out, in the form of `identify`.
 fn identification(prepared: &PreparedSearch, fit: &Fit, own: &Values) -> Identification {
     let held = prepared.not_identifiable.clone();
     let mut identification = own.identification(&prepared.nominal, held);
@@ -174,7 +172,7 @@ fn identification(prepared: &PreparedSearch, fit: &Fit, own: &Values) -> Identif
     identification
 }
 
-/// Puts beside the errors of every kind those that no fit has seen.
+/// Adds the errors on unseen samples to those of every kind.
 fn add_unseen_errors(prepared: &PreparedSearch, fit: &Fit, kinds: &mut [KindFigures]) {
     let regression = &prepared.regression;
     let Some(rows) = regression.rows.observed() else {
@@ -202,7 +200,7 @@ fn set_up(session: &Session, joint_values: JointValues) -> SetUp {
     SetUp::new(made.chain(read))
 }
 
-/// Says which names were found and are not handed out.
+/// Reports which names were found and are not handed out.
 fn report_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Session) {
     let names: Vec<String> = dropped
         .iter()
@@ -218,7 +216,7 @@ fn report_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Ses
     unexplained.resembles.extend(names);
 }
 
-/// A clause, and what was said before it behind it.
+/// A clause in front of those before it.
 fn behind(clause: Text, before: Text) -> Text {
     if before.is_empty() {
         clause

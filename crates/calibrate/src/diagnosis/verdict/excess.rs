@@ -1,4 +1,4 @@
-//! What is left beside what noise would leave.
+//! The excess of the residuals over the noise.
 
 use statrs::distribution::{ContinuousCDF, Normal};
 
@@ -8,7 +8,7 @@ use crate::{odds, thresholds};
 /// σ has, 3 %.
 const LEAST_EXCESS: f64 = 1.03;
 
-/// How what is left compares with the floor.
+/// How the residuals compare with the floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Excess {
     /// White noise as found over the floor.

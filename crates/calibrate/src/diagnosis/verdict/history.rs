@@ -1,4 +1,4 @@
-//! The history of the gap, step by step.
+//! The history of the RMS error, step by step.
 
 use crate::kinematics::Robot;
 use crate::model::ResidualStep;

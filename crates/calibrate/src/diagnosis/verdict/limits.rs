@@ -1,10 +1,9 @@
 //! Detection limits: how large an effect would have had to be to be seen, with a chance of 95 %,
 //! by the same search in the same samples.
 //!
-//! A candidate is seen if its gain passes the family-wise threshold c (in units of the noise). An
-//! effect of size a along a coefficient has a noncentrality λ = a² G, G its Gram matrix beside the
-//! model; the limit is the a whose λ takes a noncentral χ² with k degrees of freedom over c in
-//! 95 of 100 sessions.
+//! A candidate is detected if its gain exceeds the family-wise threshold c (in units of the noise). An effect of size
+//! a along a coefficient has a noncentrality λ = a² G, G its Gram matrix projected orthogonal to the model; the limit
+//! is the a whose λ takes a noncentral χ² with k degrees of freedom over c in 95 of 100 sessions.
 
 pub(crate) use crate::answers::limits::Limit;
 use crate::effects::{Form, Quantity, Setting};
@@ -97,7 +96,7 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
     limits
 }
 
-/// The gain, in units of what is left of the noise, of a candidate that explains this share of a sum of squares.
+/// The gain, in units of the residual noise, of a candidate that explains this share of a sum of squares.
 pub(super) fn gain_of(share: f64, freedom: f64) -> f64 {
     freedom * share / (1.0 - share).max(f64::EPSILON)
 }

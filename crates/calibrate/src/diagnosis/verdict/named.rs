@@ -43,8 +43,7 @@ impl<'a> Named<'a> {
         let regression = &prepared.regression;
         let with_shapes = &end.fit;
         let base = regression.fit(&regression.base, &[]);
-        // The model carries names only, as near to the samples as names can come; what no name
-        // explains is told apart.
+        // The model has names only, as near to the samples as names can come; what no name explains is separate.
         let alone = if with_shapes.shapes.is_empty() {
             with_shapes.clone()
         } else {
@@ -105,7 +104,7 @@ fn without_dropped(prepared: &PreparedSearch, fit: &Fit, dropped: &[Term]) -> Fi
     handed_out::without(prepared, fit, dropped)
 }
 
-/// Values of the names, from a fit of them alone or with the shapes beside them.
+/// Values of the names, from a fit of them alone or with the shapes.
 fn values<'a>(
     prepared: &PreparedSearch,
     problem: &Problem<'a>,
@@ -121,8 +120,7 @@ fn values<'a>(
     corrected_for_selection(prepared, with_shapes, values)
 }
 
-/// All samples that may be fitted, those that an option locked away as well, without those that
-/// are far off beside the model.
+/// All samples that may be fitted, those that an option locked away as well, without the outliers of the model.
 fn with_unlocked<'p, 'a>(prepared: &'p PreparedSearch<'a>, fit: &Fit) -> Cow<'p, Problem<'a>> {
     if !prepared.locked.contains(&true) {
         return Cow::Borrowed(&*prepared.problem);

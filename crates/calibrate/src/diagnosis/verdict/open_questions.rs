@@ -1,4 +1,5 @@
-//! What the samples leave open: rivals that they cannot rule out, what they cannot show, and poses that would decide.
+//! Open questions: rivals that the samples cannot rule out, effects that they cannot show, and poses that would
+//! decide.
 
 use crate::budget;
 use crate::effects::Term;
@@ -25,7 +26,7 @@ pub struct Undecided<'u, 'a> {
     pub(crate) not_testable: &'u [NotTestable],
 }
 
-/// Poses to measure next, and for each rival what would tell it from the model.
+/// Poses to measure next, and for each rival what would distinguish it from the model.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Proposal {
     pub(crate) poses: Vec<NextPose>,
@@ -45,7 +46,7 @@ impl Proposal {
 /// Proposes poses.
 pub(crate) type Planner<'p> = &'p dyn Fn(&Undecided) -> Proposal;
 
-/// What the samples leave open.
+/// Open questions.
 pub(super) struct OpenQuestions {
     /// Rivals that the samples cannot rule out.
     pub(super) rivals: Vec<Rival>,
@@ -58,7 +59,7 @@ impl OpenQuestions {
     pub(super) fn of(prepared: &PreparedSearch, end: &SearchEnd) -> Self {
         let (regression, fit) = (&prepared.regression, &end.fit);
         let mut rivals = aliases::open_rivals(regression, fit);
-        // What is likelier and carries itself has taken the place already; what does not is no rival.
+        // What is likelier and significant on its own has taken the place already; what is not is no rival.
         let mut held = 0;
         rivals.retain(|r| {
             if !is_likelier(&r.fit, fit) {

@@ -1,4 +1,4 @@
-//! What is left that no name explains: how much, where, and which names only imitate it.
+//! The residuals that no name explains: how large, where, and which names only imitate them.
 
 use crate::kinematics::JointKind;
 use crate::sessions::Session;
@@ -111,10 +111,10 @@ fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
     moved.norm() / n.sqrt()
 }
 
-/// What is left of a base model that does not fit.
+/// The residuals of a base model that does not fit.
 fn of_the_base(prepared: &PreparedSearch, end: &SearchEnd) -> Unexplained {
     let unexplained = without_shapes(prepared, &end.fit);
-    // Estimated from what the base leaves, the floor would be all of it.
+    // Estimated from the residuals of the base, the floor would be all of them.
     let floor_mm = floor(prepared, &end.named_effects_only).mm;
     let residual_mm = residual_mm(prepared, &end.fit);
     let robot = &prepared.problem.session.robot;
@@ -133,7 +133,7 @@ fn of_the_base(prepared: &PreparedSearch, end: &SearchEnd) -> Unexplained {
     }
 }
 
-/// What is left beside names alone: how much like noise it is, and what it looks most like.
+/// The residuals of names alone: how much like noise they are, and what they look most like.
 pub(crate) fn without_shapes(prepared: &PreparedSearch, fit: &Fit) -> Unexplained {
     let regression = &prepared.regression;
     let scores = regression.scan(fit, CandidateSubset::All);

@@ -1,5 +1,5 @@
-//! When a step happened. The interval of `time_s` is that between the samples around the likeliest time; how sure that
-//! time is says the posterior over all times that were tried, each as likely beforehand:
+//! The time of a step. The interval of `time_s` is that between the samples around the likeliest time; its uncertainty
+//! is the posterior over all times that were tried, each as likely a priori:
 //!
 //! ```text
 //! ln w(t) = −(m/2) ln(1 − gain(t)/RSS)

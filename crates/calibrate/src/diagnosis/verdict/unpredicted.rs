@@ -1,6 +1,6 @@
-//! Held-out samples that the model should predict and does not: half of them and more are farther off than noise and
-//! all that is uncertain of the model explain. However well it follows the samples that it was fitted to, what is left
-//! is more than noise then.
+//! Held-out samples that the model fails to predict: the median of their errors is larger than noise and the
+//! uncertainty of the model explain. However well it follows the samples that it was fitted to, the residual is then
+//! more than noise.
 //!
 //! ```text
 //! u_i² = f² + tr J_i Σ J_iᵀ + Σ_d σ_d² |J_i d|²,   median_i |e_i| / (k u_i) > 3
@@ -24,7 +24,7 @@ use crate::diagnosis::search::prepare::PreparedSearch;
 /// From so many times the standard uncertainty on; half of all normal errors are within one.
 const MOST_TIMES: f64 = 3.0;
 
-/// What there is to say where the samples that the session holds out are not predicted.
+/// The message where the samples that the session holds out are not predicted.
 pub(crate) fn missed(prepared: &PreparedSearch, values: &Values, floor: &Floor) -> Option<Text> {
     // What an option has locked away is fitted by now; a frame that wanders is elsewhere when they were measured.
     if prepared.locked.contains(&true) || values.noise_is_slow() {

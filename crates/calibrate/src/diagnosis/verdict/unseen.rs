@@ -18,8 +18,8 @@ pub(crate) enum Procedure {
     Identify,
     /// Its names alone.
     Names,
-    /// Its names, with its shapes fitted beside them; the shapes predict nothing.
-    BesideShapes,
+    /// Its names, with its shapes fitted with them; the shapes predict nothing.
+    WithShapes,
 }
 
 /// RMS error of a fit on unseen samples, mm; `None` with too few of them.
@@ -28,14 +28,14 @@ pub(crate) fn of(prepared: &PreparedSearch, fit: &Fit, procedure: Procedure) -> 
     if held_out_samples(prepared).contains(&true) {
         let model = match procedure {
             Procedure::Identify => prepared.base.clone(),
-            Procedure::Names | Procedure::BesideShapes => {
+            Procedure::Names | Procedure::WithShapes => {
                 Values::of(prepared, problem, fit, false).model
             }
         };
         return Some(rms_apart_mm(prepared, &lengths_mm(problem, &model)));
     }
     let of_folds = |folds: &Folds, regression: &Regression, fit: &Fit| match procedure {
-        Procedure::BesideShapes => folds.rms_mm_of_the_model(regression, fit),
+        Procedure::WithShapes => folds.rms_mm_of_the_model(regression, fit),
         Procedure::Identify | Procedure::Names => folds.rms_mm(regression, fit),
     };
     let says = prepared.folds.are_enough();
@@ -58,13 +58,12 @@ pub(crate) fn held_out_samples(prepared: &PreparedSearch) -> Vec<bool> {
     (0..problem.usable.len()).map(is_apart).collect()
 }
 
-/// Whether what is said of unseen samples comes from folds.
+/// Whether the error on unseen samples is cross-validated.
 pub(super) fn is_cross_fitted(prepared: &PreparedSearch) -> bool {
     !held_out_samples(prepared).contains(&true)
 }
 
-/// Root mean square length of what is left of them, mm; samples far off are suspected here as they are
-/// elsewhere.
+/// RMS residual of the held-out samples, mm; outliers are suspected here as they are elsewhere.
 pub(super) fn rms_apart_mm(prepared: &PreparedSearch, residual_mm: &[f64]) -> f64 {
     let apart = held_out_samples(prepared);
     let mut lengths: Vec<f64> = (0..apart.len())
@@ -84,7 +83,7 @@ pub(super) fn rms_apart_mm(prepared: &PreparedSearch, residual_mm: &[f64]) -> f6
     spread.map_or(0.0, |s| s.rms_mm)
 }
 
-/// What is said of unseen samples; `found_mm` are the errors after identification and with what was found.
+/// The errors on unseen samples; `found_mm` are those after identification and with what was found.
 pub(crate) fn held_out(
     prepared: &PreparedSearch,
     nominal_mm: &[f64],

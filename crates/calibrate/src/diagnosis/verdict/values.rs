@@ -1,8 +1,8 @@
-//! Values of the parameters with their intervals: one fit to all samples that count, by the same
-//! estimator that `identify` uses, with what no name explains beside the model.
+//! Values of the parameters with their intervals: one fit to all samples that count, by the same estimator that
+//! `identify` uses, together with the shapes that no name explains.
 //!
-//! A search looks at a part of a long session, and at none of the samples that an option locks
-//! away; the names that it found are fitted once more to all of them.
+//! A search uses a part of a long session, and none of the samples that an option locks away; the names that it found
+//! are fitted once more to all of them.
 
 use nalgebra::DMatrix;
 
@@ -29,7 +29,7 @@ use crate::diagnosis::search::OrderSpread;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::worth;
 
-/// Values of shapes that a fit to all samples may carry at most.
+/// The largest number of values of shapes in a fit to all samples.
 const MOST_SHAPE_VALUES: usize = 20_000_000;
 
 /// A model fitted to all samples that count, and how sure its coefficients are.
@@ -42,7 +42,7 @@ pub(crate) struct Values<'a> {
     pub(crate) covariance: Option<DMatrix<f64>>,
     /// One list for each term of the model.
     estimates: Vec<Vec<Estimate>>,
-    /// Kurtosis of what is left, and the size of its bulk in units of the noise.
+    /// Kurtosis of the residuals, and the size of their bulk in units of the noise.
     tails: (f64, f64),
     /// Whether a size was corrected for the selection.
     corrected: bool,
@@ -51,8 +51,8 @@ pub(crate) struct Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// The names of a fit, fitted to the samples of a problem that count.
-    /// Where the search was stopped the noise stays as it was found beside many candidates.
+    /// The names of a fit, fitted to the samples of a problem that count. Where the search was stopped the noise is
+    /// that estimated with many candidates.
     pub(crate) fn of(
         prepared: &PreparedSearch,
         problem: &Problem<'a>,
@@ -122,8 +122,7 @@ impl<'a> Values<'a> {
         noise.map_or([scale; 3], |n| n.sigma_mm.map(|s| s * scale))
     }
 
-    /// Mean square of a whitened coordinate that is left, its degrees of freedom, and the kurtosis
-    /// of what is left.
+    /// Mean square of a whitened residual coordinate, its degrees of freedom, and the kurtosis of the residuals.
     pub(crate) fn white(&self) -> (f64, f64, f64) {
         let m = self.problem.rows() as f64;
         let freedom = (m - self.rank()).max(1.0);
@@ -132,8 +131,8 @@ impl<'a> Values<'a> {
         (cost / freedom, freedom, self.tails.0)
     }
 
-    /// What returns to the same poses are held against: mean square of a coordinate in units of its axis's white noise,
-    /// with what the robot does not repeat in it, and its degrees of freedom, of poses then.
+    /// The expected spread of returns to the same poses: mean square of a coordinate in units of its axis's white
+    /// noise, including repeatability, and its degrees of freedom, then of poses.
     pub(crate) fn expected_of_returns(&self) -> (f64, f64) {
         let (white, freedom, _) = self.white();
         let noise = self.problem.noise.as_ref();
@@ -154,7 +153,7 @@ impl<'a> Values<'a> {
         (square / freedom, of_poses.max(1.0))
     }
 
-    /// Size of the bulk of what is left, from the median, in units of the noise.
+    /// Size of the bulk of the residuals, from the median, in units of the noise.
     pub(crate) fn bulk(&self) -> f64 {
         self.tails.1
     }
@@ -169,13 +168,12 @@ impl<'a> Values<'a> {
         noise.is_some_and(|n| n.slow.is_some())
     }
 
-    /// Root mean square length of what is left of the samples that count, mm.
+    /// RMS residual of the samples that count, mm.
     pub(crate) fn rms_mm(&self) -> f64 {
         rms_mm(&self.problem, &self.model)
     }
 
-    /// Root mean square length of what is left beside the model and the columns that were fitted with it, of
-    /// the samples that count, mm.
+    /// RMS residual of the model with the columns that were fitted with it, of the samples that count, mm.
     pub(crate) fn rms_with_shapes_mm(&self) -> f64 {
         let mut residuals = deviations(&self.problem, &self.model).axes_mm;
         for (column, coefficient) in self
@@ -196,7 +194,7 @@ impl<'a> Values<'a> {
         spread.map_or(0.0, |s| s.rms_mm)
     }
 
-    /// Whether shapes were fitted beside the model.
+    /// Whether shapes were fitted with the model.
     pub(crate) fn has_shapes(&self) -> bool {
         !self.problem.extra_columns.is_empty()
     }
@@ -279,9 +277,9 @@ impl<'a> Values<'a> {
         self.solution.model = self.model.clone();
     }
 
-    /// Fits the geometry of several joints again beside sizes that were corrected: it carries what an
-    /// effect does in common with it. Where the samples are followed worse all the same, as the sizes
-    /// of several effects hang together, it is the fit before that stands.
+    /// Fits the geometry of several joints again with corrected sizes: it absorbs what an effect has in common with
+    /// it. Where the residuals are larger nevertheless, as the sizes of several effects are correlated, the fit before
+    /// is kept.
     pub(crate) fn refit_geometry(&mut self, before: &Self) {
         let is_base = |t: &Term| base_model::belongs(t.effect.about().id);
         let terms = self.model.terms();
@@ -321,9 +319,9 @@ impl<'a> Values<'a> {
             let problem = &prepared.as_identified;
             let there = solution_at(problem, &self.solution);
             completed(problem, &there, known).map(|own| {
-                let beside = self.solution.extra_coefficients.clone();
+                let extra = self.solution.extra_coefficients.clone();
                 let here = Solution {
-                    extra_coefficients: beside,
+                    extra_coefficients: extra,
                     ..own.solution
                 };
                 let solution = solution_at(&self.problem, &here);
@@ -368,8 +366,8 @@ impl<'a> Values<'a> {
         now
     }
 
-    /// With what predicts without a name in the model, and the geometry fitted again beside it; the names keep
-    /// their values. What the geometry moves by moves its intervals.
+    /// With what predicts without a name in the model, and the geometry fitted again with it; the names keep their
+    /// values. The change of the geometry shifts its intervals.
     pub(crate) fn with_unnamed(&self, unnamed: &[Term]) -> Self {
         let mut now = self.clone();
         now.problem.extra_columns.clear();
@@ -402,8 +400,8 @@ impl<'a> Values<'a> {
         now
     }
 
-    /// This fit as `identify` would answer it. The samples that are suspected are those that it left
-    /// out: what no name explains is in the residuals again, and could accuse others.
+    /// This fit in the form of `identify`'s answer. The suspected samples are those that it left out: what no name
+    /// explains is in the residuals again, and could make others suspect.
     pub(crate) fn identification(
         &self,
         nominal: &Model,
@@ -490,7 +488,7 @@ pub(crate) fn corrected_for_selection<'a>(
     values
 }
 
-/// Kurtosis and bulk of the coordinates that are left, each axis in units of its own noise.
+/// Kurtosis and bulk of the residual coordinates, each axis in units of its own noise.
 fn tails(problem: &Problem, solution: &Solution) -> (f64, f64) {
     let mut all = Vec::with_capacity(problem.rows());
     if let Some(layer) = &problem.observed {

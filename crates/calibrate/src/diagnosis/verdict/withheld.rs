@@ -1,5 +1,5 @@
-//! Names that stand in for one that a run leaves out (`--without`). What the name that was left out would
-//! explain as well is not explained by the other alone: the answer says so, as something unexplained.
+//! Names that imitate one that a run leaves out (`--without`). What that name would explain as well is not explained
+//! by the other alone: the answer reports it as unexplained.
 
 use crate::diagnosis::search::NEEDED;
 use crate::effects::{CATALOGUE, Effect, Term, form_in};
@@ -9,7 +9,7 @@ use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::search::prepare::PreparedSearch;
 
-/// A name that is said, and one that was left out and explains as much.
+/// A name that is reported, and one that was left out and explains as much.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct StandIn {
     pub(crate) named: String,
