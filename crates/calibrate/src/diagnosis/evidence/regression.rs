@@ -109,7 +109,7 @@ impl<'a> Regression<'a> {
             tests: Rc::default(),
             base,
             priors,
-            prior_rows: prior_rows,
+            prior_rows,
             threads,
             largest_in_noise: Memo::new(KEPT),
             fits: Memo::new(last_fits),

@@ -102,19 +102,19 @@ pub(crate) fn choose<'a>(
     };
     let no_worse = |c: &WayToValues| against.is_no_worse(c);
     let handed_out = |own, dropped| against.handed_out(own, dropped);
-    let with_shapes = judged.has_shapes();
+    let has_shapes = judged.has_shapes();
     let found = regression.added(names).len();
-    let raw = if with_shapes || judged.is_corrected() {
+    let raw = if has_shapes || judged.is_corrected() {
         Values::of(prepared, problem, names, stopped)
     } else {
         judged.clone()
     };
-    let corrected = if with_shapes {
+    let corrected = if has_shapes {
         corrected_for_selection(prepared, names, raw.clone())
     } else {
         judged.clone()
     };
-    let distinguished = with_shapes && is_distinguishable(judged, &corrected);
+    let distinguished = has_shapes && is_distinguishable(judged, &corrected);
     // Intervals of what is handed out.
     let unsure = if distinguished { judged } else { &corrected };
     if distinguished {
