@@ -1,9 +1,9 @@
-//! A session beside a model whose own session had set-up errors: its raw values are read by the corrections
-//! that the model carries.
+//! A session compared with a model whose own session had set-up errors: its raw values are read with the corrections
+//! of the model.
 //!
-//! A session of the same controller has the same conventions. Another one may have been corrected since, or
-//! measured from another place: where the model's corrections leave far more than what is left without them,
-//! or with the frame of the instrument fitted anew, it is read that way, and that is said.
+//! A session of the same controller has the same conventions. Another one may have been corrected since, or measured
+//! from another place: where the residual is much smaller without the model's corrections, or with the frame of the
+//! instrument fitted again, it is read that way, and that is reported.
 
 use std::borrow::Cow;
 
@@ -18,7 +18,7 @@ use super::verification::{Verification, VerifyError, is_own};
 /// What the program calls a frame that it fits to samples which name none.
 const NEW_FRAME: &str = "fitted here";
 
-/// Compares a raw session with a calibration, by the corrections that it carries.
+/// Compares a raw session with a calibration, by the corrections of the latter.
 pub(super) fn verified(
     calibration: &Calibration,
     session: &Session,
@@ -67,8 +67,8 @@ pub(super) fn verified(
     Ok(best)
 }
 
-/// The session as the model reads it, seen from a frame that the model does not know; `None` where it was
-/// no correction that set the frame free.
+/// The session as the model reads it, in a frame that the model does not know; `None` where no correction freed the
+/// frame.
 fn with_a_new_frame(set_up: &SetUp, session: &Session) -> Option<Session> {
     let free = set_up.corrections().contains(&SessionCorrection::FreeFrame)
         && session.samples.setups.is_none();

@@ -1,15 +1,14 @@
-//! Which calibrations correct commands at all: not one that was measured with a table active, and not one that
-//! leaves a gross error. A column in another unit, rows that belong to other rows, a sign that changes half way
-//! leave errors of the robot's size; values that were fitted to them are no robot's, and a table made of them
-//! makes it worse.
+//! Which calibrations correct commands at all: not one that was measured with a table active, and not one with a gross
+//! residual. A column in another unit, rows that belong to other rows, a sign that changes half way give errors of the
+//! robot's size; values that were fitted to them are no robot's, and a table made of them increases the error.
 
 use super::{TableError, VerifiedCalibration};
 use crate::kinematics::JointKind;
 use crate::model::Calibration;
 use crate::thresholds::{GROSS_SHARE, PLAUSIBLE_SHARE};
 
-/// What is gross has to be at least so much better than the nominal robot. (Derived: a servo with a degree of play leaves
-/// sin 1° = 0.017 of its reach, and its zeros are worth correcting.)
+/// A gross residual has to be smaller than that of the nominal robot by at least this. (Derived: a servo with a degree
+/// of play has a residual of sin 1° = 0.017 of its reach, and its zeros are worth correcting.)
 const LEAVES_OF_NOMINAL: f64 = 0.5;
 
 impl VerifiedCalibration {

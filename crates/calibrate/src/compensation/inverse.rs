@@ -10,9 +10,9 @@
 //! taken. Directions in which the tool hardly moves (below a hundredth of the best) are not
 //! corrected at all: near a singular pose a tiny gain would cost a large move.
 //!
-//! Derivatives by the command are the exact ones that the model carries
-//! ([`Model::visit_by_commands`]); the curvature that one joint needs is their difference over 10⁻⁴
-//! rad or 0.1 mm, and decides only how fast it settles.
+//! Derivatives with respect to the command are the exact ones of the model ([`Model::visit_by_commands`]); the
+//! curvature that one joint needs is their difference over 10⁻⁴ rad or 0.1 mm, and only affects the speed of
+//! convergence.
 //!
 //! Several poses go through at once, because the model takes them in blocks.
 
@@ -28,7 +28,7 @@ use crate::model::{Model, Positions};
 use crate::numeric::LONGEST_TURN;
 use crate::{budget, rounding};
 
-/// Directions in which the tool moves less than this part of the most are left alone.
+/// Directions in which the tool moves less than this part of the most are not corrected.
 pub(super) const FLATTEST: f64 = 1e-2;
 
 /// Where some model puts every reflector: one set of positions for each reflector.
@@ -145,8 +145,8 @@ fn sensed(model: &Model, inputs: &Inputs) -> Vec<Sensed> {
         .collect()
 }
 
-/// One pose: what is missing, and how the reflectors move with the joints. Everything is per
-/// [`unit_of`] a joint, so that turning and sliding joints can be weighed against each other.
+/// One pose: the remaining error, and how the reflectors move with the joints. Everything is per [`unit_of`] a joint,
+/// so that revolute and prismatic joints can be weighed against each other.
 struct Local {
     /// Missing way of each reflector, mm.
     missing: Vec<[f64; 3]>,

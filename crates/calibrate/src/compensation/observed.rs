@@ -1,7 +1,6 @@
-//! A calibration beside a session of other measurements than points: distances, directions, touches,
-//! sockets. Places that the model knows by name are where it has them; others that are unknown are
-//! located beside the robot first. What corrected commands would do is not said: nothing was measured
-//! of where the target is.
+//! A calibration compared with a session of other measurements than points: distances, directions, touches, sockets.
+//! Places that the model knows by name are taken from it; others that are unknown are first located from the robot.
+//! The effect of corrected commands is not reported: the place of the target was not measured.
 
 use crate::effects::places::name;
 use crate::effects::{JointValues, Place, PlaceKind};

@@ -1,11 +1,11 @@
-//! What no joint can remove: how large it is, what it comes from, and what would remove it.
+//! The residual that no joint can remove: how large it is, what causes it, and what would remove it.
 //!
-//! The commands are corrected for the very conditions of each pose, so that what stays is the
-//! model's statement about the machine and not about a table. For one turning joint it is split
-//! into the parts along the radius and along the axis; around the axis nothing stays.
+//! The commands are corrected for the very conditions of each pose, so that the residual is the model's statement
+//! about the machine and not about a table. For one revolute joint it is split into the parts along the radius and
+//! along the axis; around the axis it is zero.
 //!
-//! The share of an effect is what would stay if it were the only one. Shares do not add up (a base
-//! offset may take away a part of a short link), so they are ranked and not summed.
+//! The share of an effect is the residual if it were the only one. Shares do not add up (a base offset may cancel a
+//! part of a short link), so they are ranked and not summed.
 
 use crate::effects::{Inputs, JointFrame, called};
 use crate::lanes::{dot, minus};
@@ -16,7 +16,7 @@ use crate::thresholds::NOTHING_MM;
 
 use super::plan::Compensation;
 
-/// What one effect leaves behind.
+/// The residual of one effect.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Share {
     /// The effect.
@@ -38,7 +38,7 @@ pub struct Remainder {
     pub max_mm: f64,
     /// Root mean square along the radius and along the axis, mm; for one turning joint.
     pub radial_axial_mm: Option<[f64; 2]>,
-    /// The effects that leave something behind, largest first.
+    /// The effects with a residual, largest first.
     pub shares: Vec<Share>,
 }
 

@@ -1,17 +1,16 @@
-//! Regions where the data ask for them: the division of the sorted samples that minimises
+//! Adaptive regions: the division of the sorted samples that minimises
 //!
 //! ```text
 //! Σ over regions ( cost / σ² + 3 ln 2n )
 //! ```
 //!
-//! where a region's cost is what its own constant correction (7) leaves of |ΔP|², and each region
-//! pays for its two corrections and its boundary by the Bayesian information criterion (Schwarz
-//! 1978; Jackson et al. 2005 for the optimal partition). Dynamic programming over the boundaries
-//! finds the best division of all; a long session is first gathered into cells of neighbouring
-//! samples, so that the work stays linear in the samples.
+//! where a region's cost is the residual of |ΔP|² after its own constant correction (7), and each region pays for its
+//! two corrections and its boundary by the Bayesian information criterion (Schwarz 1978; Jackson et al. 2005 for the
+//! optimal partition). Dynamic programming over the boundaries finds the best division of all; a long session is first
+//! gathered into cells of neighbouring samples, so that the work is linear in the samples.
 //!
-//! A region costs four numbers of the report and hides what the cause is: an effect that explains
-//! the whole range is always the better answer, and the exact method is there to look for it.
+//! A region costs four numbers of the report and hides the cause: an effect that explains the whole range is always
+//! the better answer, and the exact method searches for it.
 
 use truepose_session::refusal::Refusal;
 
@@ -114,7 +113,7 @@ impl SegmentSums {
         }
     }
 
-    /// What the least-squares correction (7) leaves of Σ |ΔP|².
+    /// The residual of Σ |ΔP|² after the least-squares correction (7).
     fn cost(&self) -> f64 {
         let along = if self.n > 0.0 {
             self.dx * self.dx / self.n

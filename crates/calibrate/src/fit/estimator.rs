@@ -1,9 +1,8 @@
-//! The estimator that every answer comes from: weighted least squares beside noise that is
-//! estimated with it, without the samples that stand apart.
+//! The estimator of every answer: weighted least squares with noise that is estimated together with it, without
+//! outliers.
 //!
-//! Fitting, looking at what is left and fitting again goes on until the same samples stay out and
-//! the noise is the same. A size that cannot be negative and came out so is zero, and the others
-//! are fitted beside that.
+//! Fitting and inspecting the residuals is repeated until the same samples are set aside and the noise no longer
+//! changes. A size that cannot be negative and came out so is zero, and the others are fitted given that.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -21,7 +20,7 @@ use super::solver::{Solution, Stopped, solve};
 /// How often the noise is estimated again: after that only outliers may change.
 const MOST_NOISE: usize = 3;
 
-/// Fits the coefficients of `start`. The problem leaves with its outliers out and its noise known.
+/// Fits the coefficients of `start`. Afterwards the problem has its outliers set aside and its noise estimated.
 pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
     let mut solution = solve(problem, start);
     if problem.observed.is_some() {
@@ -79,7 +78,7 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
     solution
 }
 
-/// The covariance of the model's coefficients, without what was fitted beside them.
+/// The covariance of the model's coefficients, without the extra columns.
 fn covariance(solution: &Solution) -> DMatrix<f64> {
     let own = solution.model.coefficient_count();
     solution.spectrum.inverse().resize(own, own, 0.0)
@@ -118,8 +117,8 @@ fn only_rescaled(problem: &Problem, before: [f64; 3]) -> Option<f64> {
     (white && high - low <= rounding::COMPUTED * high).then_some(high)
 }
 
-/// Sizes that cannot be negative and came out so are zero; the others are fitted beside that. What
-/// is known of them stays that of the whole fit.
+/// Sizes that cannot be negative and came out so are zero; the others are fitted given that. Their covariance remains
+/// that of the whole fit.
 fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
     let negative = |t: &Term| {
         t.effect.about().non_negative && t.coefficients.first().is_some_and(|c| *c < 0.0)
@@ -152,7 +151,7 @@ fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
     }
 }
 
-/// The rows that tell the noise.
+/// The rows from which the noise is estimated.
 fn rows<'a>(problem: &Problem<'a>) -> Rows<'a> {
     match stretches(problem) {
         Some(samples) => Rows::of_samples(problem, samples),
@@ -160,13 +159,13 @@ fn rows<'a>(problem: &Problem<'a>) -> Rows<'a> {
     }
 }
 
-/// The noise that a model leaves in the samples that count.
+/// The noise estimated from the residuals of a model in the samples that count.
 pub(crate) fn noise_given(problem: &Problem, model: &Model, extra_coefficients: &[f64]) -> Noise {
     let rows = rows(problem).seen_by(model);
     noise_of_rows(problem, &rows, model, extra_coefficients)
 }
 
-/// The same of some rows; what the joints do not repeat is not looked for where no model has seen them.
+/// The same of some rows; repeatability is not estimated where no model has been evaluated on them.
 fn noise_of_rows(
     problem: &Problem,
     rows: &Rows,
@@ -191,7 +190,7 @@ fn noise_of_rows(
     if problem.shows_time() {
         return Noise::estimate_with_alternatives(stated, rows, &residual, &columns);
     }
-    // What it may be besides is a noise that wanders in time as well.
+    // The alternative is a noise that is slow in time as well.
     Noise::estimate(stated, rows, &residual, &columns).made_white()
 }
 

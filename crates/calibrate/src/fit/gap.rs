@@ -1,6 +1,5 @@
-//! What a model leaves of the samples: the deviations e = measured − predicted, in mm, over three coordinates
-//! (two in a planar session), and which of them are suspected outliers. Their RMS error is defined in
-//! `answers::rms_error`.
+//! The residuals of a model: the deviations e = measured − predicted, in mm, over three coordinates (two in a planar
+//! session), and which of them are suspected outliers. Their RMS error is defined in `answers::rms_error`.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -120,8 +119,8 @@ pub(crate) fn rms_mm(problem: &Problem, model: &Model) -> f64 {
     over_fitted(problem, &lengths_mm(problem, model)).map_or(0.0, |s| s.rms_mm)
 }
 
-/// Like [`suspects`] beside a fit of so many coefficients, which has not seen what it left out: there the
-/// deviations are changed. `covariance` is that of the model's coefficients.
+/// Like [`suspects`] for the samples that a fit of so many coefficients left out: their deviations are corrected for
+/// not being fitted. `covariance` is that of the model's coefficients.
 pub(crate) fn suspects_given(
     problem: &Problem,
     deviations: &mut Deviations,
@@ -172,7 +171,7 @@ fn leverages_of_unseen(
 /// not count in the bulk.
 pub(crate) fn suspects(problem: &Problem, deviations: &Deviations) -> Vec<bool> {
     if let Some(layer) = &problem.observed {
-        // Every kind was judged beside its own bulk while it was fitted.
+        // Every kind was compared with its own bulk while it was fitted.
         return layer.samples_with(&layer.suspected);
     }
     let axes: Vec<usize> = (0..3).filter(|a| problem.axis_weights[*a] > 0.0).collect();
@@ -192,7 +191,7 @@ mod tests {
     use crate::fit::regression::Rows;
     use crate::fit::solver::covariance_at;
 
-    /// With all rows of the least squares at hand: J (J₁ᵀ W J₁)⁻¹ Jᵀ W of the rows that it has not seen.
+    /// By dense least squares: J (J₁ᵀ W J₁)⁻¹ Jᵀ W of the rows that it left out.
     #[test]
     fn leverages_of_unseen_samples_are_those_of_the_dense_rows() {
         let session = unrepeated(0.0, 2);
@@ -201,7 +200,7 @@ mod tests {
         problem.used[7] = false;
         problem.used[100] = false;
         let start = base_model::start(&session, &problem, |_| true);
-        // Coefficients that the rows tell apart.
+        // Coefficients that the rows determine.
         let model = start.without(|term| term.effect.about().id != "joint-zero-offset");
         let of = |samples: Vec<usize>| {
             let rows = Rows::of_samples(&problem, samples);

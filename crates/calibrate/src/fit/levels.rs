@@ -1,13 +1,11 @@
-//! What each level of correction would bring to a robot with several joints, so that a user sees
-//! what the controller at hand can take:
+//! Levels of correction of a robot with several joints, so that a user sees what the controller at hand can use:
 //!
 //! ```text
 //! zero offsets ⊂ with tool and frame ⊂ with links ⊂ with effects
 //! ```
 //!
-//! Each level is fitted by itself; its errors are those on cells of the workspace that the fit has not
-//! seen. The frame of an instrument that was never aligned belongs to every level: no controller has
-//! to know it.
+//! Each level is fitted on its own; its errors are those on cells of the workspace that the fit has not seen. The
+//! frame of an instrument that was never aligned belongs to every level: no controller has to know it.
 
 pub(crate) use crate::answers::errors::Errors;
 pub use crate::answers::errors::Level;
@@ -23,13 +21,13 @@ use super::solver::solve;
 use super::spread::spread;
 use crate::sessions::cells::{cells, folds_of_groups};
 
-/// Below this number of samples nothing is said about unseen ones.
+/// With fewer samples no error on unseen ones is reported.
 const FEWEST: usize = 12;
 
 /// The levels of an identified model, on the samples of the problem that count.
 pub(crate) fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
     if problem.observed.is_none() && problem.samples() > budget::SAMPLES {
-        // A session of its own: the rows that do not count need not go through every fit.
+        // A separate session: the rows that do not count need not go through every fit.
         let rows = spread(problem.counted(), budget::SAMPLES);
         let session = problem
             .session

@@ -1,5 +1,5 @@
-//! How far what is measured moves with the joints: the derivatives of rows by a small turn of each joint, mm for each rad.
-//! A joint that slides counts in units of the robot's reach, so that one number stands for all of them.
+//! Lever arms: the derivatives of rows with respect to a small turn of each joint, mm for each rad. A prismatic joint
+//! counts in units of the robot's reach, so that one number is comparable for all of them.
 
 use nalgebra::DMatrix;
 

@@ -185,20 +185,20 @@ pub(super) struct Whitening {
     slow: [f64; 3],
     tau: f64,
     before: f64,
-    /// The last time between two samples, and what it carries: most are alike.
+    /// The last time between two samples, and its decay: most are alike.
     decay_at_step: (f64, f64),
     variance: [f64; 3],
     /// One for each axis and column, the residual last.
     state: [Vec<f64>; 3],
     step: [[Step; LANES]; 3],
-    /// The last step of each axis, with what it was made of and the variance behind it.
+    /// The last step of each axis, with its decay and the variance behind it.
     last: [LastStep; 3],
     counts: [bool; LANES],
     /// What went through the filter last, the residual last.
     white: Vec<Lanes>,
 }
 
-/// A step with the carry and the variance that it was made of: along equal steps of time both settle.
+/// A step with the decay and the variance of which it was made: along equal steps of time both settle.
 #[derive(Clone, Copy)]
 struct LastStep {
     decay: f64,

@@ -199,7 +199,7 @@ fn region_result(
     }
 }
 
-/// What as many uniform regions would leave.
+/// The residual of as many uniform regions, in words.
 fn compared_with_uniform(
     session: &Session,
     number: usize,

@@ -1,4 +1,4 @@
-//! The normal equations beside what the joints do not repeat: residual and columns go through the filter of
+//! The normal equations with the error of repeatability: residual and columns go through the filter of
 //! [`joints`](super::noise::joints), sample by sample along all axes, before they are summed.
 
 use crate::effects::block::Block;
@@ -153,7 +153,8 @@ mod tests {
         }
     }
 
-    /// The rows of a pose show what the robot does not repeat and what the instrument does; a robot that repeats, none.
+    /// The rows of a pose show both the repeatability of the robot and the noise of the instrument; a robot that
+    /// repeats, the latter alone.
     #[test]
     fn what_the_joints_do_not_repeat_is_told_from_the_instrument() {
         for (joints_rad, seed) in [(2e-4, 1), (5e-5, 2), (0.0, 3), (0.0, 4)] {
@@ -174,8 +175,9 @@ mod tests {
         }
     }
 
-    /// So do the three coordinates of a single reflector: how far a joint moves it, and which way, is another at every pose.
-    /// Fifteen sessions in which the robot repeats show none of it, and the instrument keeps what is stated of it.
+    /// So do the three coordinates of a single reflector: how far a joint moves it, and which way, differs from pose
+    /// to pose. Fifteen sessions in which the robot repeats show none of it, and the instrument keeps its stated
+    /// noise.
     #[test]
     fn one_reflector_tells_what_the_joints_do_not_repeat() {
         let noise_of = |joints_rad: f64, seed: u64| {

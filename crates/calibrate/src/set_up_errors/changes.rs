@@ -1,5 +1,5 @@
-//! What may have gone wrong in setting up a robot, each as the change of the samples that takes it back: the register
-//! of hypotheses, simplest first. Any of them may hold for a part of the rows alone.
+//! Set-up errors as changes of the samples that undo them: the register of hypotheses, simplest first. Any of them may
+//! hold for a part of the rows alone.
 
 use crate::effects::JointValues;
 use crate::fit::base_model;
@@ -13,7 +13,7 @@ use crate::units::{deg_from_rad, rad_from_deg};
 use super::fits::trial;
 use super::motor_values::{likely_ratios, likely_scales};
 
-/// A change of the samples: what is wrong, what to do, and what takes it back.
+/// A change of the samples: what is wrong, what to do, and the correction.
 pub(super) struct Change {
     pub(super) what: Text,
     pub(super) proposal: Text,
@@ -29,7 +29,7 @@ impl Change {
         }
     }
 
-    /// The same with which it says the same in these samples.
+    /// The same with the changes that are equivalent to it in these samples.
     pub(super) fn said_with(what: Text, twins: &[Text]) -> Text {
         if twins.is_empty() {
             return what;
@@ -78,7 +78,7 @@ pub(super) fn of_rows(session: &Session) -> Vec<Change> {
     all
 }
 
-/// What is there to be tried whatever the values are.
+/// The changes that are tried whatever the values are.
 fn plain(session: &Session, frame_is_free: bool) -> Vec<Change> {
     let mut all: Vec<Change> = (0..session.robot.joints.len()).map(sign).collect();
     all.extend(exchanged(session));
@@ -159,7 +159,7 @@ fn values_of_a_motor(joint: usize, ratio: f64) -> Change {
     )
 }
 
-/// The only joint moves so many times what its values say.
+/// The only joint moves so many times what its values state.
 fn scale_is_wrong(factor: f64) -> Change {
     let scale = format!("{factor:.4}");
     Change::new(
@@ -241,8 +241,8 @@ pub(super) fn parallelogram(robot: &Robot, joint: usize, factor: f64) -> Change 
     in_the_value(what, joint - 1, joint, factor)
 }
 
-/// Gears and belts of a wrist, or of a joint whose motor stands in the base, drive a joint by the value of any
-/// other that turns; neighbouring parallel ones are a parallelogram.
+/// Gears and belts of a wrist, or of a joint whose motor is in the base, drive a joint by the value of any other that
+/// turns; neighbouring parallel ones are a parallelogram.
 fn driven(session: &Session) -> Vec<Change> {
     let robot = &session.robot;
     let mut all = Vec::new();
@@ -407,8 +407,8 @@ pub(super) fn is_of_one_coordinate(correction: &SessionCorrection) -> bool {
     matches!(correction, SessionCorrection::ScaleCoordinate { .. })
 }
 
-/// Two of the measured axes are exchanged. Two pairs exchanged are a turn of the frame: what is left is one exchange,
-/// or a sign.
+/// Two of the measured axes are exchanged. Two pairs exchanged are a turn of the frame, so that only one exchange, or
+/// a sign, is needed.
 pub(super) fn axes_exchanged(session: &Session) -> Change {
     let what = if session.samples.z_mm.is_some() {
         text!("two of the measured axes are swapped (such as x and y), or one of them is reversed")

@@ -1,4 +1,4 @@
-//! What is looked at of an arm's session for what no session states.
+//! The samples of an arm's session in which effects that no session states are searched for, with their residuals.
 
 use nalgebra::DVector;
 
@@ -11,15 +11,15 @@ use crate::effects::JointValues;
 use crate::fit::base_model;
 use crate::sessions::Session;
 
-/// What is found, and the logarithm by which it is likelier than it has to be.
+/// What is found, and the logarithm by which its odds exceed the threshold.
 pub(super) type Unstated = (f64, DataProblem);
 
-/// Rows of an arm's session that are looked at, and what the base model leaves of them.
+/// Rows of an arm's session that are examined, and their residuals in the base model.
 pub(super) struct Examined {
     pub(super) rows: RowsInOrder,
     pub(super) few: Session,
     pub(super) residuals: Residuals,
-    /// Root mean square of what is left, mm.
+    /// RMS residual, mm.
     pub(super) rms_mm: f64,
 }
 

@@ -1,16 +1,17 @@
-//! Gravity that runs otherwise than the session says: a robot on a wall, under a ceiling, on a slope.
+//! Gravity in another direction than the session states: a robot on a wall, under a ceiling, on a slope.
 //!
-//! Where the load changes, what it turns joint j by is linear in gravity,
+//! Where the load changes, the deflection of joint j is linear in gravity,
 //!
 //! ```text
 //! δ_j = C_j m Σ_g d_g τ_jg(q),   τ_jg = e_g · ∂x_tool/∂q_j
 //! gain(d) = b_dᵀ G_d⁻¹ b_d
 //! ```
 //!
-//! with the joints' compliances C and the direction d of gravity in the base frame; G is the Gram matrix of the
-//! 3 · joints columns, b their products with what the base leaves, beside every column of the base model, waves over the
-//! joints, and the same torques of a load that is always there (what links weigh, what an eccentricity does). A direction
-//! is said where it is likelier by far than the one that the session states, and than a foundation that gives.
+//! with the joints' compliances C and the direction d of gravity in the base frame; G is the Gram matrix of the 3 ·
+//! joints columns, b their products with the residuals, both projected orthogonal to every column of the base model,
+//! waves over the joints, and the same torques of a constant load (the weight of the links, an eccentricity). A
+//! direction is reported where it is much likelier than the one that the session states, and than a compliant
+//! foundation.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -29,10 +30,10 @@ use super::thresholds::LIKELIER;
 const DIRECTIONS: usize = 2000;
 /// Halvings of the step around the best of them: to a hundredth of a degree.
 const HALVINGS: usize = 10;
-/// A robot that stands so level (the chord of 10°) sags as one that is level, within what is known of its compliance.
+/// A robot that is level within this (the chord of 10°) sags as a level one, within the uncertainty of its compliance.
 const LEVEL: f64 = 0.17;
 
-/// Gravity as the joints feel it, where that is otherwise than the session says.
+/// The direction of gravity by the joints' deflections, where it is another than the session states.
 pub(super) fn runs_otherwise(
     session: &Session,
     _: JointValues,
@@ -66,13 +67,13 @@ pub(super) fn runs_otherwise(
 struct Sag<'a> {
     /// Columns of joint j and gravity along g at 3 j + g: their products.
     gram: DMatrix<f64>,
-    /// With what is left.
+    /// With the residuals.
     pull: DVector<f64>,
     projected: Projected<'a>,
-    /// By how much rows say less than as many that are independent.
+    /// The factor by which correlated rows have less information than as many independent ones.
     dilution: f64,
     joints: usize,
-    /// The logarithm by which a foundation that gives under the load is likelier than none.
+    /// The logarithm by which a compliant foundation is likelier than none.
     foundation: f64,
 }
 
@@ -95,7 +96,7 @@ impl<'a> Sag<'a> {
             }
         }
         let projected = Projected::of(residuals, &rivals)?;
-        // A foundation that tilts and gives under the load's moment, whatever its springs.
+        // A foundation that tilts and shifts under the load's moment, whatever its springs.
         let at = |i: usize, axis: usize| few.samples.coordinates(i)[axis] * load[i];
         let gives = (0..18).map(|k| residuals.column(|i| residuals.frame[i][k / 3] * at(i, k % 3)));
         let foundation = projected.with(&gives.collect::<Vec<_>>()).1;
@@ -112,8 +113,8 @@ impl<'a> Sag<'a> {
         })
     }
 
-    /// The logarithm by which the joints' compliances under gravity along a direction are likelier than none, their
-    /// number and that of the direction's angles paid for; zero where joints would give against the load.
+    /// The logarithm by which the joints' compliances under gravity along a direction are likelier than none, less the
+    /// penalty of their number and that of the direction's angles; zero where a compliance would be negative.
     fn nats(&self, direction: &Vector3<f64>, angles: usize) -> f64 {
         let part = |j: usize, k: usize| {
             direction.dot(&(self.gram.fixed_view::<3, 3>(3 * j, 3 * k) * direction))

@@ -1,14 +1,15 @@
-//! Mistakes of setting up that hold for all rows, each with its joint.
+//! Set-up errors that hold for all rows, each with its joint.
 //!
-//! A trial fits what the one who mounts a robot would adjust ([`trial`]), and looks at the median error. What some change
-//! of the samples brings down to a small part, and to what the geometry of a robot may leave, is a mistake. Changes that
-//! do so equally well are said together: the sign of a spherical wrist's middle joint is both neighbours' homes by 180°,
-//! the sign of a positioner's first joint the home of the second, the home of joint 1 the measuring frame.
+//! A trial fits what would be adjusted when a robot is mounted ([`trial`]), and compares the median error. A change of
+//! the samples that reduces it to a small part, and to what the geometry of a robot may explain, corrects a mistake.
+//! Changes that do so equally well are reported together: the sign of a spherical wrist's middle joint is equivalent
+//! to both neighbours' homes by 180°, the sign of a positioner's first joint to the home of the second, the home of
+//! joint 1 to the measuring frame.
 //!
-//! Trials run away where few poses show what they fit, and then anything is better. So the session as it stands is also
-//! seen by the nominal robot with the best rigid motion, and by the whole base model with its priors; the best of all
-//! counts. A change keeps the samples to the robot's scale, ends with values that a robot may have, and predicts samples
-//! that it was not fitted to.
+//! Trials run away where few poses determine what they fit, and then anything is better. So the uncorrected session is
+//! also compared with the nominal robot with the best rigid motion, and with the whole base model with its priors; the
+//! best of all counts. A change keeps the samples to the robot's scale, ends with values that a robot may have, and
+//! predicts samples that it was not fitted to.
 
 use nalgebra::{Rotation3, Vector3};
 
@@ -37,15 +38,15 @@ use super::thresholds::{
 const MOST_SAMPLES: usize = 120;
 /// A median error below this share of the spread of the points, or of the robot's reach, is no mistake of setting up.
 const GROSS_SHARE: f64 = 0.005;
-/// What leaves so many times as much as the best says the same in these samples.
+/// A residual of at most so many times the best counts as equivalent in these samples.
 const ALIKE: f64 = 1.25;
 /// Where no mistake alone explains the samples, so many of the best are tried in pairs.
 const MOST_PAIRED: usize = 5;
 /// The spread of the points agrees with that of the robot within this, as a ratio.
 const TO_SCALE: f64 = 2.0;
-/// With fewer samples none can be kept back.
+/// With fewer samples none can be held out.
 const FEWEST_TO_SPLIT: usize = 24;
-/// Samples that were kept back leave at most so many times as much as a change may leave.
+/// Held-out samples may have residuals of at most so many times the limit of a change.
 const UNSEEN: f64 = 2.0;
 /// Ten times what is usual for a tilt or an offset of the base.
 const LEAST_TURN_DEG: f64 = 1.5;
@@ -73,12 +74,12 @@ fn changed(part: &Session, corrections: &[SessionCorrection]) -> Session {
     changed
 }
 
-/// By how much the points are spread less widely than as they stand.
+/// By how much the points are spread less widely than in the uncorrected session.
 fn shrunk(part: &Session, changed: &Session) -> f64 {
     part.samples.spread_mm() / changed.samples.spread_mm().max(1e-12)
 }
 
-/// A change and what the compared share of the samples is off by with it, in the units of the samples as they stand, mm.
+/// A change and the error of the compared share of the samples with it, in the units of the uncorrected samples, mm.
 type Tried = (Change, f64);
 
 /// What a change has to do for belief.
@@ -87,7 +88,7 @@ struct Judge<'a> {
     values: JointValues,
     /// The share of the samples that is compared.
     share: f64,
-    /// What it is off by as it stands, and may be off by with a change, mm.
+    /// The error of the uncorrected samples, and the largest error after a change, mm.
     before_mm: f64,
     most_mm: f64,
     /// Whether the nominal robot moves its points along x, y, z by more than it may be off.
@@ -150,7 +151,7 @@ impl<'a> Judge<'a> {
     fn tried(&self, part: &Session) -> Vec<Tried> {
         let all = changes(part, self.values).into_iter().filter_map(|change| {
             let then = changed(part, &change.corrections);
-            // One coordinate that is too small leaves the others as they are: no robot follows it.
+            // One coordinate that is too small does not change the others: no robot follows it.
             let of_one = change.corrections.iter().any(is_of_one_coordinate);
             if !of_one && !is_to_scale(part, &then, self.values) {
                 return None;
@@ -178,14 +179,14 @@ impl<'a> Judge<'a> {
         all.collect()
     }
 
-    /// The change that leaves least, if that is little enough, with those that say the same; and what it leaves, mm,
-    /// before it.
+    /// The change with the smallest residual, if that is small enough, with the equivalent ones; before it the
+    /// residual, mm.
     fn named(&self, tried: &[Tried]) -> Option<(f64, Vec<SessionCorrection>, DataProblem)> {
         let least = tried.iter().map(|t| t.1).min_by(f64::total_cmp)?;
         if least > self.most_mm {
             return None;
         }
-        // The list begins with what is simplest.
+        // The list begins with the simplest.
         let (main, residual_mm) = tried
             .iter()
             .find(|(c, residual_mm)| *residual_mm <= EQUAL * least && c.corrections.len() == 1)?;
@@ -224,7 +225,7 @@ impl<'a> Judge<'a> {
         )
     }
 
-    /// Conventions that differ in many joints at once, each as a mistake of its own.
+    /// Conventions that differ in many joints at once, each as a separate mistake.
     fn many(&self) -> Vec<DataProblem> {
         let changes = several(self.part, self.values, self.most_mm);
         let corrections: Vec<SessionCorrection> =
@@ -251,8 +252,7 @@ impl<'a> Judge<'a> {
         changes.into_iter().map(problem).collect()
     }
 
-    /// Whether a change predicts samples that its trial has not seen, the compared share of them to within what it may
-    /// leave.
+    /// Whether a change predicts samples that its trial has not seen, the compared share of them to within its limit.
     fn predicts(&self, part: &Session, corrections: &[SessionCorrection]) -> bool {
         let changed = changed(part, corrections);
         let n = changed.samples.len();
@@ -266,7 +266,7 @@ impl<'a> Judge<'a> {
         let unseen = half(1);
         trial(&half(0), self.values, frame_is_free(part)).is_some_and(|end| {
             let residual_mm = lengths_mm(&Problem::new(&unseen, self.values), &end.model);
-            // What may be left is told in the units of the samples as they stand.
+            // The limit is in the units of the uncorrected samples.
             let scale = (1.0 / shrunk(part, &changed)).max(1.0);
             share_within(residual_mm, self.share) <= UNSEEN * self.most_mm * scale
         })
@@ -282,8 +282,8 @@ fn in_words(residual_mm: f64) -> Text {
     }
 }
 
-/// The least that so large a share of the samples is off by as they stand, mm; infinite where nothing fits. What is
-/// little enough is not looked at again.
+/// The least error of so large a share of the uncorrected samples, mm; infinite where nothing fits. Once it is small
+/// enough no further fit is tried.
 fn least_mm(
     part: &Session,
     values: JointValues,
@@ -302,8 +302,8 @@ fn least_mm(
         .min(with_priors_mm(part, values, moved, share))
 }
 
-/// The same with an arm's whole base model and its priors; infinite for points of another size than the robot's: links
-/// that shrink leave little of those whatever the robot is.
+/// The same with an arm's whole base model and its priors; infinite for points of another size than the robot's:
+/// shrinking links fit those whatever the robot is.
 fn with_priors_mm(part: &Session, values: JointValues, free_frame: bool, share: f64) -> f64 {
     if !base_model::is_arm(part) || !has_the_robots_size(part, values) {
         return f64::INFINITY;
@@ -377,7 +377,7 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
     let far = if base_model::is_arm(part) {
         is_turned || shift.norm() > LEAST_MOVE_MM
     } else {
-        // Of a single axis a turn about it is its zero offset, and what is small is a base offset or a tilt.
+        // Of a single axis a turn about it is its zero offset, and a small rest is a base offset or a tilt.
         let tilt = turn - axis * axis.dot(&turn);
         tilt.norm() > rad_from_deg(LEAST_TURN_DEG) || (to - point).norm() > LEAST_MOVE_MM
     };

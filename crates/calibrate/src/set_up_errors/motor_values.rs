@@ -1,10 +1,10 @@
 //! Values of a joint that are those of its motor, before the gear, or the counts of an encoder: too large by an unknown
 //! ratio.
 //!
-//! Where a joint's values reach far beyond its limits, ratios that bring them within are tried on the nominal robot with
-//! the best rigid motion. The best is refined on fits; it is a whole number, or that of an encoder with a power of two of
-//! counts a turn, where one of these is near. The scale of a single joint that moves another part of what it is told (a
-//! hobby servo whose pulses were taken for degrees) is looked for on fits from the beginning.
+//! Where a joint's values are far beyond its limits, ratios that bring them within are tried on the nominal robot with
+//! the best rigid motion. The best is refined on fits; it is a whole number, or that of an encoder with a power of two
+//! of counts a turn, where one of these is near. The scale of a single joint that moves only a part of its commands (a
+//! hobby servo whose pulses were taken for degrees) is searched for on fits from the beginning.
 
 use std::borrow::Cow;
 
@@ -37,8 +37,8 @@ const PLAIN: f64 = 0.002;
 /// Counts that an encoder may have in a turn, as powers of two.
 const BITS: std::ops::RangeInclusive<u32> = 8..=24;
 
-/// Joints (counted from 0) whose values are likely those of a motor or an encoder, each with the ratio.
-/// `residual_mm` says what a fit leaves of samples.
+/// Joints (counted from 0) whose values are likely those of a motor or an encoder, each with the ratio. `residual_mm`
+/// is that of a fit to samples.
 pub(super) fn likely_ratios(
     session: &Session,
     values: JointValues,
@@ -62,8 +62,8 @@ pub(super) fn likely_ratios(
     joints.filter_map(of_joint).flatten().collect()
 }
 
-/// What the only joint likely moves for each unit of its values, forwards and backwards; nothing where they are those of
-/// a motor. `residual_mm` says what a fit leaves of samples.
+/// What the only joint likely moves for each unit of its values, forwards and backwards; nothing where they are those
+/// of a motor. `residual_mm` is that of a fit to samples.
 pub(super) fn likely_scales(
     session: &Session,
     values: JointValues,
@@ -124,7 +124,7 @@ fn likeliest(nominal: &Nominal, joint: usize, least: f64) -> Option<f64> {
     tried.min_by(|a, b| a.0.total_cmp(&b.0)).map(|best| best.1)
 }
 
-/// The ratio near another that leaves least.
+/// The ratio near another with the smallest residual.
 fn refined(ratio: f64, residual_mm: impl Fn(f64) -> f64) -> f64 {
     let mut best = (residual_mm(ratio), ratio);
     let mut step = COARSE;

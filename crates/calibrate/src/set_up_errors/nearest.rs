@@ -1,8 +1,7 @@
-//! How far points are from where the nominal robot has them, wherever the instrument stands.
+//! Distances of points from the nominal robot, wherever the instrument is.
 //!
 //! The rigid motion is the least-squares one of those three quarters of a setup's points that it brings nearest, and
-//! what is left has heavy tails (Student's t, ν = 4): points that are wrong in themselves neither turn it nor count for
-//! much.
+//! the residuals have heavy tails (Student's t, ν = 4): outliers neither turn it nor count for much.
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
@@ -26,7 +25,7 @@ const MOST_WRONG: f64 = 0.1;
 /// Where the robot is, and what was measured, mm.
 pub(super) type Pair = (Vector3<f64>, Vector3<f64>);
 
-/// The robot as it was drawn, beside the samples of a session.
+/// The nominal robot and the samples of a session.
 pub(super) struct Nominal<'a> {
     session: &'a Session,
     robot: Model,
@@ -89,8 +88,8 @@ impl<'a> Nominal<'a> {
         all
     }
 
-    /// Root mean square of what predictions with these inputs leave, mm, without the samples that are farthest off;
-    /// `mirrored`: of the points in a mirror. Of points in a plane nothing is said.
+    /// RMS residual of predictions with these inputs, mm, without the samples that are farthest off; `mirrored`: of
+    /// the points in a mirror. Undefined for points in a plane.
     pub(super) fn residual_mm(&self, inputs: &Inputs, mirrored: bool) -> f64 {
         let mut pairs = self.pairs(inputs);
         if mirrored {
@@ -123,11 +122,11 @@ impl<'a> Nominal<'a> {
 
 /// What a deviation costs, as a logarithm.
 pub(super) fn cost_of(length_mm: f64, sigma_mm: f64) -> f64 {
-    // Of a sum, as nothing depends on the digits that are lost beside 1: this is most of the work.
+    // Of a sum, as nothing depends on the digits that are lost next to 1: this is most of the work.
     0.5 * (TAILS + AXES) * (1.0 + length_mm * length_mm / (TAILS * sigma_mm * sigma_mm)).ln()
 }
 
-/// The likeliest scale of deviations, mm, and what they cost all together beside it.
+/// The likeliest scale of deviations, mm, and their cost given it.
 pub(super) fn cost(lengths_mm: &[f64]) -> (f64, f64) {
     let n = lengths_mm.len().max(1) as f64;
     let mean = lengths_mm.iter().sum::<f64>() / n;

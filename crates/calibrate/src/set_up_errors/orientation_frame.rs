@@ -1,8 +1,8 @@
 //! Orientations in another frame than the positions: all of them turned by one turn that the positions do not have.
 //!
-//! Measured are R = A P B and p = A (x + R t) + d: a turned tool B is a parameter of every calibration, a turned frame A
-//! is one only where positions and orientations share it. The turns between samples say A by themselves
-//! ([`super::orientations`]); so do the positions, with a shift of the tool t and of the frame d left free.
+//! Measured are R = A P B and p = A (x + R t) + d: a turned tool B is a parameter of every calibration, a turned frame
+//! A is one only where positions and orientations share it. The turns between samples determine A alone
+//! ([`super::orientations`]); so do the positions, with a free shift of the tool t and of the frame d.
 
 use nalgebra::{DMatrix, DVector, Point3, Rotation3, UnitQuaternion, Vector3};
 
@@ -19,7 +19,7 @@ use crate::units::deg_from_rad;
 
 /// No frame is turned by less on purpose, and zeros of joints that are off turn it by as much.
 const SMALLEST_RAD: f64 = 5e-3;
-/// What the turns leave in the median moves their frame by less than this many times as much.
+/// A median residual of the turns moves their frame by less than this many times as much.
 const TIMES_RESIDUAL: f64 = 3.0;
 /// Alternations of frame and tool.
 const ROUNDS: usize = 30;
@@ -85,7 +85,7 @@ impl Points {
         (rows.len() >= FEWEST_SAMPLES).then_some(Self(rows))
     }
 
-    /// The shift of the tool with which this frame fits best, and what it leaves in the median, mm.
+    /// The shift of the tool with which this frame fits best, and the median residual, mm.
     fn in_frame(&self, frame: &UnitQuaternion<f64>) -> Option<(Vector3<f64>, f64)> {
         let frame = frame.to_rotation_matrix();
         let count = self.0.len();
@@ -109,7 +109,7 @@ impl Points {
         Some((shifts.fixed_rows::<3>(0).into(), median))
     }
 
-    /// The frame in which the positions are, and what it leaves in the median, mm.
+    /// The frame in which the positions are, and the median residual, mm.
     fn best(&self) -> Option<(UnitQuaternion<f64>, f64)> {
         let mut tool = Vector3::zeros();
         let mut best: Option<(UnitQuaternion<f64>, f64)> = None;

@@ -42,7 +42,7 @@ const ORDERS: [[usize; 3]; 8] = [
 /// How three numbers make an orientation; `None`: they are a rotation vector.
 type Order = Option<[usize; 3]>;
 
-/// What fits so many times as badly as the best says the same in these samples.
+/// A residual of at most so many times the best counts as equivalent in these samples.
 const ALIKE: f64 = 1.5;
 /// What fits within a milliradian fits.
 const EQUAL_RAD: f64 = 1e-3;
@@ -65,7 +65,7 @@ pub(super) fn of_another_convention(session: &Session, values: JointValues) -> V
 /// The orientations that one as it is read may have been.
 type Convention = Box<dyn Fn(UnitQuaternion<f64>) -> Vec<UnitQuaternion<f64>>>;
 
-/// What measured orientations may be instead, and how that is said to the import.
+/// Alternative conventions of measured orientations, each with the option of the import.
 fn conventions() -> Vec<(Convention, Text)> {
     let parts = |order: [usize; 4]| {
         move |q: UnitQuaternion<f64>| {
@@ -262,7 +262,7 @@ impl Pairs {
         // The inverse and an exchange of parts are the same but for two turns: of those that fit alike the one whose frame
         // and tool are turned least is meant, and where they are turned anyway any of them may be.
         fits.retain(|(fit, _)| fit.residual_rad <= (ALIKE * least).max(EQUAL_RAD));
-        // Where an angle stays zero, orders are one: the usual one stands first.
+        // Where an angle stays zero, several orders are equivalent: the usual one is first.
         let turned = |fit: &Fit| (fit.turned / GROSS_TURN_RAD).round();
         fits.sort_by(|a, b| turned(&a.0).total_cmp(&turned(&b.0)));
         if fits.first().is_some_and(|(fit, _)| fit.turned < NEAR_RAD) {
@@ -311,7 +311,7 @@ impl Pairs {
         Some(DataProblem::of_all(what, evidence, proposal, correction))
     }
 
-    /// Whether the turns between samples tell one measuring frame: they are about several axes.
+    /// Whether the turns between samples determine one measuring frame: they are about several axes.
     pub(super) fn are_of_one_frame(&self) -> bool {
         let turns = self.pairs.iter().map(|(a, b)| {
             let turn = log(&(self.predicted[*a] * self.predicted[*b].inverse()));
@@ -323,13 +323,13 @@ impl Pairs {
         self.setups == 1 && along[1] > SECOND_AXIS * along[2]
     }
 
-    /// How well the measured orientations fit in this convention; `None` where that cannot be said.
+    /// How well the measured orientations fit in this convention; `None` where it is not determined.
     pub(super) fn fit(
         &self,
         convention: &dyn Fn(UnitQuaternion<f64>) -> Vec<UnitQuaternion<f64>>,
     ) -> Option<Fit> {
         let measured: Vec<_> = self.measured.iter().map(|q| convention(*q)).collect();
-        // Each turn with each of what it may have been.
+        // Each turn with each of its alternatives.
         let turns = |(a, b): &(usize, usize)| {
             let between = measured[*a]
                 .iter()
@@ -374,7 +374,7 @@ impl Pairs {
         let refined = frame_of(near);
         let (residual_rad, frame) = best_of(refined.into_iter().chain([frame]).collect())?;
         let frame = UnitQuaternion::from_matrix(&frame);
-        // What the tool is turned by besides, by the sample that shows the least.
+        // The turn of the tool in addition, by the sample with the smallest.
         let tool = measured
             .iter()
             .zip(&self.predicted)

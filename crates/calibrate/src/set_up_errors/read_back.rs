@@ -15,7 +15,7 @@ use crate::text::angle;
 
 use super::fits::residual_mm;
 
-/// With fewer samples nothing is told of a slope.
+/// With fewer samples no slope is reported.
 const FEWEST: usize = 8;
 /// Standard errors from which on a slope is no accident.
 const CLEAR: f64 = 5.0;

@@ -1,4 +1,5 @@
-//! Air that bends the lines of sight: warm air rises along a robot, under a roof it is warmer than above a floor.
+//! Refraction that bends the lines of sight: warm air rises along a robot, under a roof it is warmer than above a
+//! floor.
 //!
 //! In a gradient of the refractive index a line of sight is part of a parabola,
 //!
@@ -6,10 +7,10 @@
 //! p_i = p_i⁰ + b |p_i|²,   2 b the gradient
 //! ```
 //!
-//! in the instrument's own frame. What the fitted robot leaves is regressed on the three columns of b beside the base
-//! model, waves over the joints and the torques of masses behind them: an arm that sags moves downwards with its reach
-//! squared, too. What no model has moves points by any quadratic function of their place: were that likelier, with its 27
-//! numbers, it would not be the sight.
+//! in the instrument's own frame. The residuals of the fitted robot are regressed on the three columns of b together
+//! with the base model, waves over the joints and the torques of masses behind them: an arm that sags moves downwards
+//! with its reach squared, too. An error that the model lacks may be any quadratic function of the place: were that
+//! likelier, with its 27 numbers, it would not be the sight.
 
 use nalgebra::Vector3;
 
@@ -23,8 +24,8 @@ use crate::kinematics::JointKind;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, length};
 
-/// No line of sight is bent by more than this part of its length: beside a furnace, at 100 K a metre, one of 10 m by half of
-/// it (10⁻⁶ a kelvin).
+/// No line of sight is bent by more than this part of its length: near a furnace, at 100 K a metre, one of 10 m by half
+/// of it (10⁻⁶ a kelvin).
 const MOST: f64 = 1e-3;
 /// Which of x, y, z and 1 are multiplied in a quadratic function.
 const PRODUCTS: [[usize; 2]; 9] = [

@@ -1,4 +1,4 @@
-//! What the rows of a session leave beside the base model, and the columns of what may explain it.
+//! The residuals of a session in the base model, and the columns of what may explain them.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -24,7 +24,7 @@ pub(super) const MOST: usize = 6;
 /// The motion of what may move at a row: for each sample its columns.
 pub(super) type Motion = Vec<[Vector3<f64>; MOST]>;
 
-/// What the rows of a session leave, and the columns beside.
+/// The residuals of a session, and columns to explain them.
 pub(super) struct Residuals {
     pub(super) residual: DVector<f64>,
     pub(super) base: DMatrix<f64>,
@@ -34,21 +34,21 @@ pub(super) struct Residuals {
     pub(super) frame: Motion,
     /// Of a target.
     pub(super) target: Motion,
-    /// Where the model expects the measured points. A column of where they were measured has in it what is left.
+    /// The measured points as the model predicts them. A column of the measured ones would contain the residuals.
     pub(super) expected: Vec<[f64; 3]>,
     /// Samples, and axes of each.
     pub(super) n: usize,
-    /// Whether something may have moved before a sample: not between those that share what the robot does not repeat.
+    /// Whether something may have moved before a sample: not between those of the same pose.
     pub(super) may_move_at: Vec<bool>,
     pub(super) axes: Vec<usize>,
     /// The noise along each axis, up to a common factor.
     scale: Vec<f64>,
-    /// Where rows of a pose share what the robot does not repeat, in the place of that.
+    /// The whitening filter, where rows of a pose share the error of repeatability.
     filter: Option<Filter>,
 }
 
 impl Residuals {
-    /// With the base model fitted to these rows, and the root mean square of what that leaves, mm.
+    /// With the base model fitted to these rows, and its RMS residual, mm.
     pub(super) fn after_a_fit(few: &Session, values: JointValues) -> Option<(Self, f64)> {
         let (model, rms_mm) = fitted(few, values)?;
         Some((Self::of(few, values, &model)?, rms_mm))
@@ -114,7 +114,7 @@ impl Residuals {
             std::array::from_fn(|k| if k < 3 { by(k) } else { zero })
         });
         let (frame, target) = (frame.collect(), target.collect());
-        // Axes count as the instrument is said to see them: what is left of them is the error that is looked for.
+        // Axes count by the stated noise of the instrument: their residuals contain the error that is searched for.
         let weights = problem.axis_weights;
         let scale: Vec<f64> = axes
             .iter()
@@ -137,8 +137,8 @@ impl Residuals {
         Some(residuals)
     }
 
-    /// The same where rows of a pose share what the robot does not repeat, as far as that shows beside some columns: they
-    /// are one witness of what moves it.
+    /// The same where rows of a pose share the error of repeatability, as far as it shows given some columns: they
+    /// have the information of one row on what moves it.
     pub(super) fn with_pose_noise(
         mut self,
         few: &Session,
@@ -174,7 +174,7 @@ impl Residuals {
         self
     }
 
-    /// Brings what is left and its columns to units of the noise.
+    /// Whitens the residuals and their columns.
     fn whiten(&mut self) {
         let all = std::mem::take(&mut self.joints).into_iter();
         self.joints = all.map(|column| self.whitened(column)).collect();
@@ -253,18 +253,18 @@ pub(super) fn joined(base: &DMatrix<f64>, more: &[DVector<f64>]) -> DMatrix<f64>
     all
 }
 
-/// What is left beside the base model and other columns.
+/// The residuals projected orthogonal to the base model and other columns.
 pub(super) struct Projected<'a> {
     residuals: &'a Residuals,
     pub(super) basis: Basis,
-    /// Rows that are wrong in themselves count as what is usual.
+    /// Outliers are limited to what is usual.
     pub(super) free: DVector<f64>,
     square: f64,
     freedom: f64,
 }
 
 impl<'a> Projected<'a> {
-    /// `None` where no direction is left.
+    /// `None` without degrees of freedom.
     pub(super) fn of(residuals: &'a Residuals, columns: &[DVector<f64>]) -> Option<Self> {
         let basis = Basis::new(&joined(&residuals.base, columns));
         let free = basis.reject(&residuals.residual);
@@ -282,9 +282,9 @@ impl<'a> Projected<'a> {
         })
     }
 
-    /// The logarithm by which columns of so many numbers that take this square out of what is left are likelier than
-    /// none: Zellner's prior with the weight of one row (Liang et al. 2008, equation 6). Of many rows it is the BIC; of
-    /// few it stays finite however little is left.
+    /// The logarithm by which so many columns that reduce the residual sum of squares by this are likelier than none:
+    /// Zellner's prior with the weight of one row (Liang et al. 2008, equation 6). Of many rows it is the BIC; of few
+    /// it stays finite however small the residual is.
     pub(super) fn nats(&self, gain: f64, numbers: usize) -> f64 {
         let rows = self.free.len() as f64;
         let share = (1.0 - gain / self.square).clamp(0.0, 1.0);
@@ -292,14 +292,14 @@ impl<'a> Projected<'a> {
         0.5 * (spent * rows.ln_1p() - self.freedom * (rows * share).ln_1p())
     }
 
-    /// The logarithm by which a column is likelier than none whose part of this square was taken out before.
+    /// The logarithm by which a column is likelier than none whose part of this square was projected out before.
     pub(super) fn nats_without(&self, gain: f64) -> f64 {
         let square = self.square.max(f64::MIN_POSITIVE);
         let rows = self.free.len() as f64;
         0.5 * self.freedom * (1.0 + gain / square).ln() - 0.5 * rows.ln()
     }
 
-    /// What columns take out of what is left: their factors, and the logarithm by which they are likelier than none.
+    /// The coefficients of columns fitted to the residuals, and the logarithm by which they are likelier than none.
     pub(super) fn with(&self, columns: &[DVector<f64>]) -> (DVector<f64>, f64) {
         let own = self.own(columns);
         let taken = &self.free - own.reject(&self.free);
@@ -307,14 +307,14 @@ impl<'a> Projected<'a> {
         (own.solve(&self.free), nats / self.dilution(&own))
     }
 
-    /// What is the columns' own.
+    /// A basis of the columns projected orthogonal to the others.
     pub(super) fn own(&self, columns: &[DVector<f64>]) -> Basis {
         let own: Vec<_> = columns.iter().map(|c| self.basis.reject(c)).collect();
         Basis::new(&DMatrix::from_columns(&own))
     }
 
-    /// By how much rows that follow one another say the same beside some columns: (1 + ρ)/(1 − ρ) with the correlation
-    /// ρ of neighbours, at least 1.
+    /// By how much the information of successive rows is reduced by correlation, given some columns: (1 + ρ)/(1 − ρ)
+    /// with the correlation ρ of neighbours, at least 1.
     pub(super) fn dilution(&self, own: &Basis) -> f64 {
         let residual = own.reject(&self.free);
         let n = self.residuals.n;

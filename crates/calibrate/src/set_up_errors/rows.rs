@@ -41,7 +41,8 @@ impl RowsInOrder {
         Self { order, counted }
     }
 
-    /// Without those that are sent to the place of the one before once more: they say nothing new of what moves.
+    /// Without those that are sent to the place of the one before once more: they have no new information on what
+    /// moves.
     pub(super) fn of_new_places(mut self, session: &Session) -> Self {
         let samples = &session.samples;
         let order = &self.order;

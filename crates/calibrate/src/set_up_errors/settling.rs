@@ -4,9 +4,9 @@
 //! p_i = p_i⁰ + a · s_i · exp(−(t_i − t_0) / τ),   s_i the line of sight
 //! ```
 //!
-//! What the fitted robot leaves is regressed on that column for some τ, beside the base model and waves over the joints,
-//! and on what else settles in the same time: the frame (moved, or moved and turned), the home of a joint. Lines of sight
-//! have to spread for it to be told from a frame that moves.
+//! The residuals of the fitted robot are regressed on that column for some τ, together with the base model and waves
+//! over the joints, and on what else settles in the same time: the frame (moved, or moved and turned), the home of a
+//! joint. Lines of sight have to spread for it to be distinguished from a frame that moves.
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
@@ -25,7 +25,7 @@ const PARTS: [f64; 5] = [0.05, 0.1, 0.2, 0.35, 0.6];
 
 /// No instrument that measures robots settles by more, mm: trackers by a tenth of a millimetre.
 const LARGEST_MM: f64 = 5.0;
-/// How often the size is fitted again with what it corrected.
+/// How often the size is fitted again after its correction.
 const ROUNDS: usize = 2;
 
 /// Distances that settle.

@@ -6,9 +6,9 @@
 //! d_k = ±1 or 0, along parallel axes (a parallelogram),   π: which column is whose
 //! ```
 //!
-//! with the measured points as they are or as in a mirror. The nominal robot with the best rigid motion says how far
-//! off a choice is; a descent over two joints at a time, from several starts, finds the choice. What is as good with
-//! fewer mistakes is taken. Only a trial as of every other mistake makes it believed.
+//! with the measured points as they are or as in a mirror. The error of a choice is that of the nominal robot with the
+//! best rigid motion; a descent over two joints at a time, from several starts, finds the choice. What is as good with
+//! fewer mistakes is taken. It is accepted by the same trial as every other mistake.
 
 use std::borrow::Cow;
 use std::f64::consts::FRAC_PI_2;
@@ -24,10 +24,10 @@ use super::fits::thinned;
 use super::nearest::Nominal;
 use super::thresholds::{EQUAL, FEW_SAMPLES};
 
-/// Descents from choices that chance makes, beside those from the columns as they are and reversed.
+/// Descents from random choices, in addition to those from the columns as they are and reversed.
 const RANDOM_STARTS: usize = 48;
 
-/// What is taken to be wrong with one joint.
+/// The assumed mistakes of one joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 struct JointChoice {
     reversed: bool,
@@ -71,7 +71,7 @@ impl JointChoice {
     }
 }
 
-/// What is taken to be wrong with a session.
+/// The assumed mistakes of a session.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Choice {
     joints: Vec<JointChoice>,
@@ -122,7 +122,7 @@ impl Choice {
     }
 }
 
-/// The robot as it was drawn, beside the samples of a session.
+/// The nominal robot and the samples of a session.
 struct Judge<'a> {
     nominal: Nominal<'a>,
     choices: Vec<Vec<JointChoice>>,
@@ -130,7 +130,7 @@ struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    /// Root mean square of what a choice leaves, mm, without the samples that are farthest off.
+    /// RMS residual of a choice, mm, without the samples that are farthest off.
     fn residual_mm(&self, choice: &Choice) -> f64 {
         let mut inputs = self.nominal.inputs.clone();
         let raw = |joint: usize| &self.nominal.inputs.q[choice.columns[joint]];
@@ -223,7 +223,7 @@ impl Judge<'_> {
     }
 }
 
-/// The changes of an arm's samples that together explain them; none where no choice leaves less than `most_mm`.
+/// The changes of an arm's samples that together explain them; none where no choice has a residual below `most_mm`.
 pub(super) fn several(part: &Session, values: JointValues, most_mm: f64) -> Vec<Change> {
     let few = thinned(part, FEW_SAMPLES);
     let judge = Judge {

@@ -1,9 +1,9 @@
 //! Stations of an instrument whose distances have different scales: air that is warmer at one of them, another
 //! instrument, a robot that grew between them.
 //!
-//! What the fitted robot leaves is regressed on the points of a station in its own frame, zero elsewhere, beside
-//! the base model with a frame for each station and waves over the joints. One scale is all stations' own (the robot's
-//! size is measured with it): the first one's.
+//! The residuals of the fitted robot are regressed on the points of a station in its own frame, zero elsewhere,
+//! together with the base model with a frame for each station and waves over the joints. One scale is common to all
+//! stations (the robot's size is measured with it): the first one's.
 
 use nalgebra::Vector3;
 

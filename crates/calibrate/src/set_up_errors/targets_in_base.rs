@@ -1,5 +1,5 @@
-//! Targets that are written as places in the base frame, at home, where places in the tool are asked for. The tool's
-//! position takes that up without a trace, and every corrected target is off by it.
+//! Targets that are written as places in the base frame, at home, where places in the tool are asked for. The fitted
+//! position of the tool hides that, and every corrected target is off by it.
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
@@ -11,7 +11,7 @@ use super::fits::{share_within, thinned};
 use super::nearest::Nominal;
 use super::thresholds::{FEW_SAMPLES, GROSS_SHARE, HALF, PLAUSIBLE_SHARE};
 
-/// What the nominal robot leaves has to fall to less than this share of what it was …
+/// The residual of the nominal robot has to fall to less than this share …
 const CORRECTED: f64 = 0.1;
 
 /// Targets that are not places in the tool.

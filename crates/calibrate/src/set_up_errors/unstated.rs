@@ -1,5 +1,5 @@
-//! What instruments, stations and mountings do that no session states: the likeliest of a list of hypotheses, each a few
-//! columns beside the fitted robot and beside what else may look like it.
+//! Effects of instruments, stations and mountings that no session states: the likeliest of a list of hypotheses, each
+//! a few columns in addition to the fitted robot and what else may look like it.
 
 use super::examined::{Examined, Unstated};
 use super::{gravity, refraction, settling, station_scale};

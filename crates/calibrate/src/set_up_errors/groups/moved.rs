@@ -1,9 +1,9 @@
-//! Groups of samples that are elsewhere as a whole: a socket, a target, a setup that was moved between two visits,
-//! a station, a plane, an anchor that is not where the session says.
+//! Groups of samples that are elsewhere as a whole: a socket, a target, a setup that was moved between two visits, a
+//! station, a plane, an anchor that is not where the session states.
 //!
-//! What the base model leaves of every group is regressed on the numbers that say where the group is, before a row
-//! and from it on; where that explains much, the group is taken as two, or its place as unknown, and everything is
-//! fitted again. Only what that fit leaves is believed.
+//! The residuals of every group in the base model are regressed on the coordinates of its place, before a row and from
+//! it on; where that explains much, the group is split in two, or its place is taken as unknown, and everything is
+//! fitted again. Only the residuals of that fit decide.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -21,17 +21,17 @@ use super::evidence::{RESIDUAL_SHARE, evidence, in_numbers, is_believed};
 use crate::set_up_errors::fits::fitted;
 use crate::set_up_errors::thresholds::{EVIDENCE, MOST_SAMPLES};
 
-/// At most so many groups are taken to have moved; of most of them none is known to stand still.
+/// At most so many groups are taken to have moved; if most of them had, none would be a reference.
 const MOST_MOVED: usize = 4;
 /// So many suspicions are tried before the next is believed.
 const MOST_TRIED: usize = 3;
 /// Fewest samples on either side of a move …
 const FEWEST: usize = 3;
-/// … and so many measured numbers for each that says where the group is: three distances have a place however wild
-/// they are.
+/// … and so many measured numbers for each of its coordinates: three distances determine a place however wrong they
+/// are.
 const NUMBERS_FOR_EACH: usize = 2;
-/// A socket alone, of which several move, need not carry the whole error: it has to leave less than this share of
-/// it. Another group takes up a part of many an effect, and has to leave as little as any place.
+/// A socket alone, of which several move, need not explain the whole error: the residual has to fall to less than this
+/// share. Another group absorbs a part of many an effect, and has to explain as much as any place.
 const SOCKET_RESIDUAL_SHARE: f64 = 0.9;
 /// What the regression explains as a logarithm before a fit is made. The base has taken up a part of a move, so
 /// that a fit shows more.
@@ -42,7 +42,7 @@ struct Suspicion {
     gain: f64,
     group: Group,
     index: usize,
-    /// The first row that is elsewhere; `None`: all are, and the session says otherwise.
+    /// The first row that is elsewhere; `None`: all are, and the session states otherwise.
     from: Option<usize>,
 }
 
@@ -72,11 +72,11 @@ pub(super) struct Moved {
     /// The session with the groups that moved taken as two each, and with those free that are elsewhere; all targets
     /// are free where one of them moved.
     pub(super) session: Session,
-    /// What it fits, and what that leaves and left before, mm.
+    /// The fitted model, and its residual and the one before, mm.
     pub(super) model: Model,
     pub(super) before_mm: f64,
     pub(super) residual_mm: f64,
-    /// What there is to say, in the order in which the corrections are made.
+    /// What is reported, in the order in which the corrections are made.
     pub(super) problems: Vec<DataProblem>,
 }
 
@@ -156,7 +156,7 @@ impl FittedSuspicion {
     }
 }
 
-/// How many numbers say where a group is.
+/// The number of coordinates of a group's place.
 fn numbers_of(group: Group) -> usize {
     match group {
         Group::Target | Group::Socket | Group::Anchor | Group::Plane => 3,
@@ -270,7 +270,7 @@ fn is_of_all(session: &Session, group: Group, from: usize) -> bool {
     (from..session.samples.len()).all(|row| group.of(session, row) == own)
 }
 
-/// Products of a group's numbers with themselves and with what is left.
+/// Products of a group's columns with themselves and with the residuals.
 #[derive(Debug, Clone, Default)]
 struct Sums {
     gram: SMatrix<f64, MOST, MOST>,
@@ -296,7 +296,7 @@ impl Sums {
 
     /// By how much the sum of squares falls where the numbers are free.
     fn explained(&self) -> f64 {
-        // Numbers of different units: each in units of what it does.
+        // Numbers of different units: each scaled by its effect on the rows.
         let scale = SVector::<f64, MOST>::from_fn(|k, _| {
             let own = self.gram[(k, k)].sqrt();
             if own > 0.0 { 1.0 / own } else { 0.0 }

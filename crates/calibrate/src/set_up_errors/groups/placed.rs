@@ -1,7 +1,8 @@
-//! Which targets are where the session says, once a fit with all of them free has shown where they are.
+//! Which targets are where the session states, once a fit with all of them free has shown where they are.
 //!
-//! Those that are stay where they are stated: they say where the tool is. One that is elsewhere is free, from the row
-//! on from which it is. Where its samples lie at the stated place of another, their names are wrong. Where nothing
+//! Those that are keep their stated places: they determine the tool. One that is elsewhere is free, from the row on
+//! from which it is. Where its samples lie at the stated place of another, their names are wrong. Where the samples do
+//! not determine which targets are at their places, all get the uncertainty by which they disagree.
 //! tells which targets are at their places, all are known no better than they agree.
 
 use std::collections::BTreeSet;

@@ -1,4 +1,4 @@
-//! Targets that do not sit in the tool where the session says.
+//! Targets that are not at their stated places in the tool.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -17,21 +17,21 @@ use super::evidence::{RESIDUAL_SHARE, evidence, in_numbers, is_believed};
 use crate::set_up_errors::fits::{fitted, fitted_from, some_samples};
 use crate::set_up_errors::thresholds::{CORRECTED_SHARE, GROSS_SHARE};
 
-/// A place is off beyond so many standard deviations of what is known of it.
+/// A place is off beyond so many standard deviations of what is stated.
 const OFF: f64 = 4.0;
-/// How often the weights are made anew that leave as many targets as possible where they are said to be.
+/// Iterations of the reweighting that keeps as many targets as possible at their stated places.
 const ROUNDS: usize = 12;
-/// Below this a target is where it is said to be, for those weights, mm.
+/// Below this distance a target counts as at its stated place, for those weights, mm.
 const STILL_MM: f64 = 0.02;
 /// How much more the first target is held than the others.
 const FIRST: f64 = 3.0;
-/// A turned tool that leaves no more than so many times as much as free targets explains them.
+/// A turned tool explains the samples as well if its residual is at most so many times that of free targets.
 pub(super) const AS_WELL: f64 = 1.15;
 
 /// A session of an arm with its targets free, where they contradict what it states of them.
 pub(super) struct Contradicted {
     pub(super) session: Session,
-    /// What it fits, and what that leaves and the session as it stands, mm.
+    /// The fitted model, its residual and that of the session as stated, mm.
     pub(super) model: Model,
     pub(super) before_mm: f64,
     pub(super) residual_mm: f64,
@@ -56,7 +56,7 @@ fn stated_sigma(session: &Session) -> Option<f64> {
     (several && targets.iter().any(|target| *target != first)).then_some(sigma)
 }
 
-/// Whether the samples of an arm are likelier by far with its targets free, and leave clearly less.
+/// Whether the samples of an arm are much likelier with its targets free, and their residuals clearly smaller.
 pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Contradicted> {
     stated_sigma(session)?;
     if !base_model::is_arm(session) {
@@ -70,8 +70,8 @@ pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Con
     let axes = part.samples.axes();
     let places = own_parts(&model).len();
     let evidence = evidence(part.samples.len(), axes, before, after, axes * places);
-    // A robot that is this far off is one with a wrong unit that free places would only hide, unless next to
-    // nothing is left with them.
+    // A robot that is this far off is one with a wrong unit that free places would only hide, unless the residual
+    // nearly vanishes with them.
     let gross = GROSS_SHARE * part.robot.length_along_links_mm();
     let share = if before > gross {
         CORRECTED_SHARE
@@ -94,14 +94,14 @@ pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Con
     })
 }
 
-/// What the base model leaves with every target where the session says, mm.
+/// The residual of the base model with every target where the session states it, mm.
 fn as_stated_mm(part: &Session, values: JointValues) -> Option<f64> {
     residual_mm(part, values, |start| {
         start.without(|t| t.effect.about().setting == Setting::Target && t.setting > 0.0)
     })
 }
 
-/// What it leaves where the tool is mounted turned, mm.
+/// Its residual where the tool is mounted turned, mm.
 fn turned_mm(part: &Session, values: JointValues) -> Option<f64> {
     residual_mm(part, values, |start| {
         let start =
@@ -158,8 +158,8 @@ fn of_one_axis(
         .then(|| off.iter().map(of_target).collect())
 }
 
-/// How far each target is from its place, tool frame, mm, beside the base model: as few as possible are
-/// off (iteratively reweighted least squares for the sum of the lengths, Daubechies et al. 2010).
+/// How far each target is from its place, tool frame, mm, given the base model: as few as possible are off
+/// (iteratively reweighted least squares for the sum of the lengths, Daubechies et al. 2010).
 fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vector3<f64>>> {
     let problem = Problem::new(part, values);
     let rows = Rows::of(&problem);
@@ -213,7 +213,7 @@ fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vec
                 let at = own + 3 * target + along;
                 step[at] / scale[at]
             });
-            // Of two that moved against each other the one that is named first stands.
+            // Of two that moved against each other the one that is named first is kept.
             let first = if target == 0 { FIRST } else { 1.0 };
             weight[target] = first / by[target].norm().max(STILL_MM);
         }

@@ -1,14 +1,14 @@
-//! Mistakes in a part of the rows that are seen beside the robot as it was drawn.
+//! Mistakes in a part of the rows that are visible with the nominal robot.
 //!
 //! ```text
 //! C(change, part) = Σ_i ½(ν + 3) ln(1 + r_i²/(ν σ²)) + 3 n ln σ − 3 Σ_part ln|factor| + price,
 //! ```
 //!
 //! `r_i` the distance of the point of row i from where the nominal robot has it, with the change where row i is in the
-//! part, wherever the instrument stands. Every change is tried in every part: a setup, a stretch between eighths of the
-//! rows, all of them. The ends of the likeliest stretches are then those rows between which the change gains most. What
-//! is likelier by far than the session as it stands, and leaves these rows as near as the others, is judged by the fitted
-//! robot.
+//! part, wherever the instrument is. Every change is tried in every part: a setup, a stretch between eighths of the
+//! rows, all of them. The ends of the likeliest stretches are then those rows between which the change gains most. A
+//! change that is much likelier than the uncorrected session, and leaves these rows as near as the others, is tested
+//! with the fitted robot.
 
 use nalgebra::{Isometry3, Vector3};
 
@@ -37,10 +37,10 @@ const FEWEST_ROWS: usize = 16;
 const FEWEST_IN_A_PART: usize = 4;
 /// Ends of stretches that are tried.
 const GRID: usize = 8;
-/// Rows that are corrected leave at most so many times what the others leave, and have left at least as many times
-/// more before.
+/// The residuals of corrected rows are at most so many times those of the others, and were at least as many times
+/// larger before.
 const ALIKE: f64 = 4.0;
-/// Changes within so much of the likeliest, as a logarithm, are told apart by a fit.
+/// Changes within so much of the likeliest, as a logarithm, are compared by a fit.
 const NEAR: f64 = 12.0;
 /// So many are fitted.
 const MOST_FITTED: usize = 4;
@@ -93,7 +93,7 @@ fn is_frame(correction: &SessionCorrection) -> bool {
     *correction == SessionCorrection::FreeFrame
 }
 
-/// A change in a part of the rows, and what it costs.
+/// A change in a part of the rows, and its cost.
 #[derive(Clone, Copy)]
 struct Trial {
     change: usize,
@@ -101,19 +101,19 @@ struct Trial {
     cost: f64,
 }
 
-/// What may be wrong, as it would be said.
+/// A possible mistake, with its message.
 struct Candidate {
     what: Text,
     proposal: Text,
     rows: Vec<(usize, usize)>,
-    mend: SessionCorrection,
+    correction: SessionCorrection,
     /// The target that they are about, if it may be elsewhere too.
     target: Option<usize>,
     /// Place in the list of changes, simplest first.
     order: usize,
 }
 
-/// Rows that are looked at, as they stand.
+/// The rows that are searched, uncorrected.
 struct Search<'a> {
     session: &'a Session,
     values: JointValues,
@@ -163,8 +163,8 @@ impl<'a> Search<'a> {
         lengths.len() >= FEWEST_ROWS && wrong.count() >= FEWEST_IN_A_PART
     }
 
-    /// How far each point is from the robot where a part of them is as `seen` has it; `own`: it is seen from another
-    /// place. With the motions, those of the part behind the others.
+    /// How far each point is from the robot where a part of them is changed to `seen`; `own`: it is measured from
+    /// another place. With the motions, those of the part behind the others.
     fn lengths(&self, seen: &Seen, mask: &[bool], own: bool) -> (Vec<f64>, Motions) {
         let frame = |k: usize| self.setup[k] + if own && mask[k] { self.setups } else { 0 };
         let pair = |k: usize| {
@@ -239,8 +239,8 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// The same change between those rows where it gains most, beside these rows as they stand; `None` where it does
-    /// not leave them as the others are left.
+    /// The same change between those rows where it gains most, compared with the uncorrected rows; `None` where its
+    /// residuals are larger than those of the others.
     fn settled(&self, mut trial: Trial) -> Option<Trial> {
         let seen = self.seen(trial.change);
         let own = self.is_frame(trial.change);
@@ -273,7 +273,7 @@ impl<'a> Search<'a> {
             }
             trial.part = Part::Stretch(first, end);
         };
-        // Rows that the change does not move say nothing of it, in the part or elsewhere.
+        // Rows that the change does not move have no information on it, in the part or elsewhere.
         let (of_part, of_change) = (&self.as_it_stands.pairs, &seen.pairs);
         let moved: Vec<bool> = (0..mask.len())
             .map(|k| mask[k] && (own || of_part[k] != of_change[k]))
@@ -307,7 +307,7 @@ impl<'a> Search<'a> {
                 "{proposal}; these samples are corrected, and commands that go out are not",
                 proposal = &change.proposal
             ),
-            mend: in_rows(&rows, change.corrections.first()?),
+            correction: in_rows(&rows, change.corrections.first()?),
             rows,
             target: None,
             order: trial.change,
@@ -320,7 +320,7 @@ impl<'a> Search<'a> {
         let turns = self.session.robot.joints[joint].kind == JointKind::Revolute;
         let targets = Group::Target.count(self.session);
         let several = joint > 0 && turns && targets > 1;
-        // The others are where the robot is, as it stands, and its own points are not.
+        // The other targets agree with the robot, uncorrected, and its own points do not.
         let is_apart = |target: &usize| {
             let mask = self
                 .rows
@@ -351,7 +351,7 @@ impl<'a> Search<'a> {
                     joint = joint + 1
                 ),
                 proposal: text!("put the target on the tool, or leave it out of the session"),
-                mend: in_rows(&rows, &SessionCorrection::ScaleJoint { joint, factor }),
+                correction: in_rows(&rows, &SessionCorrection::ScaleJoint { joint, factor }),
                 rows,
                 target: Some(target),
                 order: 0,
@@ -361,7 +361,7 @@ impl<'a> Search<'a> {
         apart.map(of_target).collect()
     }
 
-    /// What is likeliest, if it is likely enough.
+    /// The likeliest, if it is likely enough.
     fn best(&self, exact: &Search) -> Option<Vec<DataProblem>> {
         let before = cost(&self.as_it_stands_mm()).1;
         let likely = self.tried().into_iter();
@@ -375,7 +375,7 @@ impl<'a> Search<'a> {
         let mut near: Vec<Trial> = settled.filter(|t| before - t.cost > EVIDENCE).collect();
         near.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         let least = near.first().map_or(0.0, |first| first.cost);
-        // What is wrong in all rows is found by fits, which know more twins.
+        // What is wrong in all rows is found by fits, which know more equivalent changes.
         if near.first().is_some_and(|first| first.part == Part::All) {
             return None;
         }
@@ -386,11 +386,11 @@ impl<'a> Search<'a> {
             .filter_map(|trial| exact.candidate(trial))
             .collect();
         candidates.extend(exact.before_the_last_joint());
-        self.told_apart(candidates)
+        self.distinguished(candidates)
     }
 
-    /// Of candidates the one that leaves least beside the fitted robot, with those that say the same.
-    fn told_apart(&self, candidates: Vec<Candidate>) -> Option<Vec<DataProblem>> {
+    /// Of candidates the one with the smallest residual of the fitted robot, with the equivalent ones.
+    fn distinguished(&self, candidates: Vec<Candidate>) -> Option<Vec<DataProblem>> {
         let (rows, axes) = (self.rows.len(), self.few.samples.axes());
         let few = fits::some_samples(self.session);
         let fitted = |corrections: &[&SessionCorrection]| {
@@ -403,13 +403,13 @@ impl<'a> Search<'a> {
         let (_, before) = fits::fitted(&few, self.values)?;
         let with = |candidate: Candidate| {
             let Some(index) = candidate.target else {
-                return Some((fitted(&[&candidate.mend])?.1, candidate, None));
+                return Some((fitted(&[&candidate.correction])?.1, candidate, None));
             };
             // Its points fit a place before that joint far better than any in the tool.
             let group = Group::Target;
             let free = SessionCorrection::Free { group, index };
             let (_, elsewhere) = fitted(&[&free])?;
-            let (model, residual_mm) = fitted(&[&candidate.mend, &free])?;
+            let (model, residual_mm) = fitted(&[&candidate.correction, &free])?;
             let mut own = own_parts(&model).into_iter();
             let by = own
                 .find(|own| own.0 == index)
@@ -440,7 +440,7 @@ impl<'a> Search<'a> {
                 Change::said_with(main.what, &twins),
                 evidence,
                 main.proposal,
-                main.mend,
+                main.correction,
             )
         };
         Some([main].into_iter().chain(of_target).collect())
@@ -452,7 +452,7 @@ fn typical(mask: &[bool], is_inside: bool, of: impl Fn(usize) -> f64) -> Option<
     median((0..mask.len()).filter(|k| mask[*k] == is_inside).map(of))
 }
 
-/// Where the instrument stands, of each setup and of each in another part.
+/// The place of the instrument, of each setup and of each in another part.
 type Motions = Vec<Option<Isometry3<f64>>>;
 
 fn in_rows(rows: &[(usize, usize)], by: &SessionCorrection) -> SessionCorrection {

@@ -1,4 +1,4 @@
-//! What may move while a robot is measured, and how it is corrected and said.
+//! What may move while a robot is measured, and how it is corrected and reported.
 
 use crate::answers::diagnosis::DataProblem;
 use crate::kinematics::JointKind;
@@ -14,12 +14,12 @@ use crate::set_up_errors::rows::RowsInOrder;
 pub(super) enum What {
     /// The home of a joint.
     Home(usize),
-    /// What the instrument stands on, or the robot: moved and turned.
+    /// The instrument's support, or the robot: moved and turned.
     Frame,
 }
 
 impl What {
-    /// How many numbers say how far.
+    /// The number of parameters of the motion.
     pub(super) fn numbers(self) -> usize {
         match self {
             Self::Home(_) => 1,

@@ -1,18 +1,18 @@
 //! A home that moved while the robot was measured (an encoder that slips on its shaft, one that is homed anew), or a base
 //! or an instrument that moved and turned (bolts that came loose, a tripod).
 //!
-//! What the fitted robot leaves is regressed on the motion of each joint from a row on, beside every column of the base
-//! model and what else may look like a step: waves over each joint, its side of approach, a drift. The gain of a step at
-//! row k, with the columns' part along the base projected out,
+//! The residuals of the fitted robot are regressed on the motion of each joint from a row on, together with every
+//! column of the base model and what else may look like a step: waves over each joint, its side of approach, a drift.
+//! The gain of a step at row k, with the column's part along the base projected out,
 //!
 //! ```text
 //! g(k) = v² / (cᵀc − |Qᵀc|²),   c = J_j on the rows from k on,   v = cᵀr
 //! ```
 //!
 //! comes from sums over the rows from the last to the first, at a cost linear in the rows; a frame has six columns.
-//! One step after another is added while it is likelier; then each has to be likelier by far beside all the others, sharp
-//! in its row, and likelier than a target that moved or, for a home, a frame that did. The weakest of those that are not
-//! is dropped, and the others are looked at again.
+//! One step after another is added while it is likelier; then each has to be much likelier given all the others, sharp
+//! in its row, and likelier than a target that moved or, for a home, a frame that did. The weakest of those that are
+//! not is dropped, and the others are tested again.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector, Vector3};
 
@@ -67,7 +67,7 @@ pub(in crate::set_up_errors) fn steps(session: &Session, values: JointValues) ->
     })
 }
 
-/// The steps in the order in which they are corrected, and what the base model leaves before and behind, mm.
+/// The steps in the order in which they are corrected, and the residual of the base model before and after, mm.
 fn sized(few: &Session, values: JointValues) -> Option<(Vec<Step>, [f64; 2])> {
     let (model, before_mm) = fitted(few, values)?;
     let mut steps = found(few, values, &model)?;
@@ -86,7 +86,7 @@ fn sized(few: &Session, values: JointValues) -> Option<(Vec<Step>, [f64; 2])> {
         residual_mm = after_mm;
         let residuals = Residuals::of(&corrected, values, &model)?;
         refine(&residuals, &mut steps);
-        // Beside large steps, before they are corrected, their curvature looks like small ones.
+        // Before large steps are corrected, their curvature looks like small ones.
         if round > 0 {
             let all = steps.clone();
             steps.retain(|step| still_likelier(&residuals, &all, *step));
@@ -187,7 +187,7 @@ fn gains(
                 projected[(k, j)] -= along.column(k).dot(&along.column(j));
             }
         }
-        // What the base follows all the same shows nothing.
+        // A linear dependency on the base shows nothing.
         for k in 0..MOST {
             let least = 1e-3 * gram[(k, k)].max(1e-12);
             projected[(k, k)] = projected[(k, k)].max(0.0) + least;
@@ -221,7 +221,7 @@ fn found(few: &Session, values: JointValues, model: &Model) -> Option<Vec<Step>>
         steps.push(Step { what, from, by });
     }
     residuals.keep_likely(few, &mut steps);
-    // What the robot does not repeat is judged beside what moved, which looks like it.
+    // Repeatability is estimated given what moved, which looks like it.
     let columns: Vec<_> = steps
         .iter()
         .flat_map(|step| residuals.from(step.what, step.from))
@@ -232,7 +232,7 @@ fn found(few: &Session, values: JointValues, model: &Model) -> Option<Vec<Step>>
 }
 
 impl Residuals {
-    /// Beside what may look like steps, and these.
+    /// Given what may look like steps, and these.
     fn given_steps(&self, few: &Session, steps: &[Step]) -> Option<AtRows<'_>> {
         let mut columns = self.rivals(few);
         // What matters most comes first.
@@ -246,7 +246,7 @@ impl Residuals {
         AtRows::given(self, &columns)
     }
 
-    /// Drops the weakest step until each is likelier by far beside the others.
+    /// Drops the weakest step until each is much likelier given the others.
     fn keep_likely(&self, few: &Session, steps: &mut Vec<Step>) {
         loop {
             let evidence = |k: usize| {
@@ -266,7 +266,7 @@ impl Residuals {
     }
 }
 
-/// What moved at which row, beside other columns.
+/// The gains of steps at each row, given other columns.
 struct AtRows<'a> {
     residuals: &'a Residuals,
     projected: Projected<'a>,
@@ -281,7 +281,7 @@ impl<'a> AtRows<'a> {
         })
     }
 
-    /// The logarithm by which a step of so many numbers is likelier than none, its row paid for.
+    /// The logarithm by which a step of so many parameters is likelier than none, less the penalty of its row.
     fn nats(&self, gain: f64, numbers: usize) -> f64 {
         self.projected.nats(gain, numbers) - (self.residuals.n as f64).ln()
     }
@@ -304,8 +304,8 @@ impl<'a> AtRows<'a> {
         best.unwrap_or((0, f64::MIN))
     }
 
-    /// The logarithm by which a step is likelier, of correlated noise so much less; the lowest there is for what is as
-    /// likely some rows on or before, and where something else that moved about there is as likely.
+    /// The logarithm by which a step is likelier, reduced for correlated noise; the minimum for what is as likely some
+    /// rows on or before, and where something else that moved about there is as likely.
     fn evidence(&self, few: &Session, step: Step) -> f64 {
         let Step { what, from, .. } = step;
         let (residuals, n) = (self.residuals, self.residuals.n);
@@ -322,7 +322,7 @@ impl<'a> AtRows<'a> {
             best(&self.of_rows(&residuals.moved(motion, 3), numbers))
         };
         let mut rivals = match what {
-            // A slide's home is its frame along it: that has a name of its own, at the price of one number.
+            // The home of a prismatic joint is equivalent to its frame along it, with a penalty of one parameter.
             What::Home(_) => {
                 best(&self.by_row(What::Frame)).max(gained(&residuals.frame, 1)) + LIKELIER
             }
@@ -348,7 +348,7 @@ impl<'a> AtRows<'a> {
     }
 }
 
-/// Adds to each home's step what the corrected rows leave of it.
+/// Adds to each home's step its part of the residuals of the corrected rows.
 fn refine(residuals: &Residuals, steps: &mut [Step]) {
     let homes = steps.iter().filter(|step| step.what != What::Frame);
     let columns: Vec<DVector<f64>> = homes

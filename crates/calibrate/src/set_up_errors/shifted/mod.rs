@@ -10,11 +10,11 @@
 //! C = Σ_i ½(ν + d) ln(1 + r(i, s_i)²/(ν σ²)) + Σ changes · price
 //! ```
 //!
-//! Where the robot should be has to be known before the rows are: a stretch of rows that no change
-//! falls into shows where the instrument stands, whatever its own shift is, so each quarter of the
-//! session is tried with each shift. The path is then improved by fits of the base model to rows that
-//! are paired again. It is said where it is better by far than the best fit of the rows as they are,
-//! leaves what a robot may leave, and misses by a step of the robot without it: no effect does that.
+//! Where the robot should be has to be known before the rows are: a stretch of rows without a change locates the
+//! instrument, whatever its own shift is, so each quarter of the session is tried with each shift. The path is then
+//! improved by fits of the base model to rows that are paired again. It is reported where it is much better than the
+//! best fit of the uncorrected rows, has residuals that are possible for a robot, and these are a step of the robot
+//! without it: no effect does that.
 
 #![allow(
     clippy::cast_possible_truncation,
@@ -49,16 +49,16 @@ const MOST_FITTED: usize = 3;
 const MOST_ROWS: usize = 400;
 /// The logarithm by which a shift has to be likelier.
 const EVIDENCE: f64 = 25.0;
-/// What the rows that move leave afterwards, as a share of before.
+/// The residuals of the rows that move, as a share of those before.
 const CORRECTED_SHARE: f64 = 0.25;
-/// What a robot may leave once its rows are right, as a share of the size of the session.
+/// The largest residual of a robot with right rows, as a share of the size of the session.
 const PLAUSIBLE_SHARE: f64 = 0.02;
 /// A shift of all rows alike looks like a joint that lags: it is one where no robot lags so far.
 const GROSS_SHARE: f64 = 0.01;
-/// A step that is less than this share of the scatter does not show: no point can be told from the one beside
-/// it, as in a recording of a slow move.
+/// A step that is less than this share of the scatter does not show: neighbouring points cannot be distinguished, as
+/// in a recording of a slow move.
 const HIDDEN_SHARE: f64 = 0.25;
-/// Where fewer than one row in so many has a longer step, no shift can be seen.
+/// Where fewer than one row in so many has a longer step, no shift can be detected.
 const FEWEST_HIDDEN: usize = 1000;
 
 /// The shifts that are believed.
@@ -101,7 +101,7 @@ impl Search<'_> {
     fn likeliest(&self) -> Option<DataProblem> {
         let points = &self.points;
         let mut trials = starts(self.session, &self.inputs, points);
-        // The usual session: its rows are right, and nothing is in doubt.
+        // The usual session: its rows are clearly right.
         if trials.first().is_some_and(|first| first.rows_are_right) {
             return None;
         }
@@ -134,7 +134,7 @@ impl Search<'_> {
         self.problem(&as_it_is, best?.1)
     }
 
-    /// The base model fitted to rows that are paired again; `None` where nothing is left to fit.
+    /// The base model fitted to rows that are paired again; `None` where no row remains.
     fn fitted(&self, path: Path) -> Option<Fitted> {
         let n = self.points.len();
         let mut part = self.session.clone();
@@ -171,7 +171,7 @@ impl Search<'_> {
         Some(end)
     }
 
-    /// What the deviations along a path cost beside a fit, with the price of its changes.
+    /// The cost of the deviations along a path given a fit, with the penalty of its changes.
     fn cost(&self, fit: &Fitted, path: &Path, sigma_mm: f64) -> f64 {
         let n = self.points.len();
         let of = |row: usize| {
@@ -199,7 +199,7 @@ impl Search<'_> {
         median(rows.by_ref().filter_map(of))
     }
 
-    /// What is said of a path that is to be believed.
+    /// The message about a path that is accepted.
     fn problem(&self, as_it_is: &Fitted, end: Fitted) -> Option<DataProblem> {
         let (n, size) = (self.points.len(), self.points.size_mm());
         let stands = |sigma_mm: f64| self.cost(as_it_is, &as_it_is.path, sigma_mm);

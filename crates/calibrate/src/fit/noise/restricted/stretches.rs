@@ -1,18 +1,18 @@
-//! Columns that touch a stretch of the samples only, taken out one stretch after the other: an information filter over
-//! the state of the slow noise.
+//! Elimination of columns that affect a stretch of the samples only, one stretch after the other: an information
+//! filter over the state of the slow noise.
 //!
-//! Of a stretch the unknowns are the state `z` of the slow noise before it, the coefficients `f` of its own columns and
-//! the state `e` at its end; the coefficients `β` of the shared columns are carried along. Filtered from a known state,
+//! Of a stretch the unknowns are the state `z` of the slow noise before it, the coefficients `f` of its own columns
+//! and the state `e` at its end; the coefficients `β` of the shared columns are kept. Filtered from a known state,
 //! with white noise of 1, its samples and its end give
 //!
 //! ```text
 //! G z + F f + C β = y,   (e − H z + A f + B β − b)/√P = 0
 //! ```
 //!
-//! To the products of these rows come those of `z` and `β` from the stretches before; `z` and `f` are eliminated, and
-//! the products of `e` and `β` go on to the next one. The determinant gains that of the eliminated block, as `z` and
-//! `f` are integrated out. The filter itself makes all of it from two rows more: one before the samples that sets the
-//! state, one behind them that reads it (both states with the opposite sign).
+//! The products of `z` and `β` from the stretches before are added to those of these rows; `z` and `f` are eliminated,
+//! and the products of `e` and `β` go on to the next one. The determinant gains that of the eliminated block, as `z`
+//! and `f` are integrated out. The filter itself makes all of it from two rows more: one before the samples that sets
+//! the state, one behind them that reads it (both states with the opposite sign).
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -126,7 +126,7 @@ impl Stretches {
         self.own + self.shared - 1
     }
 
-    /// `None` where rounding leaves columns dependent.
+    /// `None` where columns are dependent by rounding.
     pub(super) fn summed(&self, rows: &Rows, shape: NoiseShape) -> Option<Summed> {
         let slow: Vec<usize> = (0..rows.axes.len())
             .filter(|a| shape.ratio[rows.axes[*a]] > 0.0)
@@ -167,7 +167,7 @@ fn touched(columns: &DMatrix<f64>, n: usize) -> Vec<Range<usize>> {
     columns.column_iter().map(of).collect()
 }
 
-/// Stretches that several columns touch and nothing else, none within another, in order.
+/// Stretches that several columns affect and nothing else, none within another, in order.
 fn disjoint(touched: &[Range<usize>], n: usize) -> Vec<Range<usize>> {
     let mut count: BTreeMap<(usize, usize, usize), usize> = BTreeMap::new();
     for range in touched.iter().filter(|range| 2 * range.len() <= n) {
@@ -198,7 +198,7 @@ fn picked(columns: &DMatrix<f64>, n: usize, samples: &Range<usize>) -> DMatrix<f
     own
 }
 
-/// A basis of columns of which a part was taken out; those of which nothing is left are none.
+/// A basis of columns of which a part was projected out; without those that are zero after it.
 fn independent(remaining: &DMatrix<f64>, before: &DMatrix<f64>) -> DMatrix<f64> {
     let mut remaining = remaining.clone();
     for (mut column, before) in remaining.column_iter_mut().zip(before.column_iter()) {

@@ -1,4 +1,4 @@
-//! What the restricted likelihood asks of a noise, and what it makes of the answer.
+//! The inputs and results of the restricted likelihood of a noise.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
@@ -48,7 +48,7 @@ pub(super) struct Summed {
     pub(super) ln_determinant: f64,
 }
 
-/// Factor of the columns' products, the step to the residual, and the square that is left.
+/// Factor of the columns' products, the step to the residual, and the residual sum of squares.
 pub(super) struct Solved {
     pub(super) factor: Cholesky<f64, nalgebra::Dyn>,
     pub(super) step: DVector<f64>,
