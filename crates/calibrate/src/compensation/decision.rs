@@ -13,7 +13,7 @@
 //! ```text
 //! U = 2 √(u² + m²)
 //! u   noise of a measured point in one direction: the instrument's, or the noise floor if
-//! that is larger
+//!     that is larger
 //! m   of the prediction: √((h² − f²)/n), h: cross-validated RMS error, f: RMS error on the fit,
 //!     n: measured directions; 0 where nothing is predicted
 //! ```

@@ -14,7 +14,7 @@
 //! - `pose`: the same for the whole pose of the tool, position first.
 //! - `regional`: the source paper's `q_c = q + M Δρ`, equation (8), and the joint command that
 //!   comes closest to it.
-//! - `plan`: [`Compensation`], one face for both kinds of model.
+//! - `plan`: [`Compensation`], one interface for both kinds of model.
 //! - `table`: the correction of one joint over its limits; `interpolation`: reading it fast.
 //! - `remainder`: the residual, and which data of the controller would remove it.
 //! - `verification`: the errors on another session; `with_table`: the residual with a table; `decision`:

@@ -1,14 +1,14 @@
 //! The errors of a calibration on a session: its own, or another one of the same robot.
 //!
 //! - *nominal*: measured − nominal robot, of a session with setups from where each fits best. *model*: measured −
-//! model.
+//!   model.
 //! - *within tolerance*: poses whose deviation is at most the tolerance, before (nominal) and after
 //!   (model); the tolerance is the session's, else the calibration's.
 //! - *compensated*: what would be measured with the table active, measured − model + the model's
-//! own residual: it contains noise and everything unknown. The table is for the reference conditions,
-//! so the effects of load, warmth and speed at the sample are in it as well.
+//!   own residual: it contains noise and everything unknown. The table is for the reference conditions,
+//!   so the effects of load, warmth and speed at the sample are in it as well.
 //! - *cannot be removed by joints*: the residual of the model when each command is corrected for its
-//! own conditions; root mean square over the poses.
+//!   own conditions; root mean square over the poses.
 //!
 //! A session that was measured with a table active (`compensated_by`) is not compensated a second
 //! time. If it was this model's table, the model predicts where the corrected commands lead.

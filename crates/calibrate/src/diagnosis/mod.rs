@@ -5,7 +5,7 @@
 //!
 //! 1. [`crate::set_up_errors`]: mistakes of setting up are tried first and corrected for what follows.
 //! 2. `crate::fit::noise`: residuals of the robust base fit, whitened by axis and in time.
-//! 3. `candidates`: every testable name with every setting, and anonymous shapes beside them.
+//! 3. `candidates`: every testable name with every setting, and anonymous shapes.
 //! 4. `evidence`: the gain of each, what the whole search would find in noise alone, and cross-validation.
 //! 5. `rest`: the part of the error that repeats and has no name.
 //! 6. `search`: forward, swaps, drops, pairs, rivals; `search::searched` is all of it on one screen.

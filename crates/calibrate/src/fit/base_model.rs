@@ -1,10 +1,10 @@
-//! What belongs to every calibration of a robot with several joints, for identification and
+//! The base model of a robot with several joints, which every calibration contains, for identification and
 //! diagnosis alike: the measuring frame, the zero offset and the link geometry of every joint, and
 //! the tool with its targets. A robot with a single joint has its zero offset and link length.
 //!
 //! Combinations that are not identifiable are fixed by the gauge (`gauge.rs`).
 //!
-//! # The way there
+//! # Starting values
 //! An instrument at an unknown place is first aligned by the best rigid motion; frame, tool and zeros are fitted
 //! before the links. Where targets miss their stated places the tool is taken to be turned, and only where that is not
 //! enough are their places free. Any other prior that is missed by many σ is dropped.

@@ -1,4 +1,4 @@
-//! From measured samples to a model: the paper's corrections by region ([`identify_regional`]),
+//! The fit of a model to measured samples: the paper's corrections by region ([`identify_regional`]),
 //! and the exact nonlinear fit ([`identify_exact`]).
 
 #[doc(hidden)]

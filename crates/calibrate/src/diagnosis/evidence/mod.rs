@@ -4,7 +4,7 @@
 //! - `regression`: the whitened rows and the table; `fit`, `fitting`, `refine`, `placement`: fits to them.
 //! - `score`, `scores`, `scan`, `grams`, `projections`: the gain of each candidate given a fit.
 //! - `likelihood`: how fits are compared; `significance`, `trials`, `largest_in_noise`,
-//! `familywise`: the distribution in noise alone.
+//!   `familywise`: the distribution in noise alone.
 //! - `held_out`, `left_out`, `rescanned`, `shares`: errors on samples that a fit, or a choice, has not seen.
 //! - `rival`: an alternative explanation of the same samples.
 //! - `memo`: what was computed before; `work`: how much may be computed.

@@ -32,7 +32,7 @@ pub(crate) struct FittedFamilies {
     pub(crate) over: Vec<Text>,
 }
 
-/// The families that predict beside a model and a noise, if any do.
+/// The families that predict in addition to a model, given a noise, if any do.
 pub(crate) fn fitted(
     problem: &Problem,
     noise: &Noise,

@@ -7,10 +7,10 @@
 //! candidates are, in this order,
 //!
 //! 1. the values fitted with the shapes, where these change the model's error by no more than they lower
-//! the residuals themselves,
+//!    the residuals themselves,
 //!
 //! ```text
-//! e²(beside) − e²(names) ≤ e²(names) − e²(names and shapes)
+//! e²(with shapes) − e²(names) ≤ e²(names) − e²(names and shapes)
 //! ```
 //!
 //! 2. the values of the names alone,

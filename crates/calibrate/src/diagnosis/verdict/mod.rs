@@ -5,10 +5,10 @@
 //!   `predicting` (the model with what has no name); `history`; `values`, `selection`: parameters and their intervals.
 //! - `named_effects`, `step_time`: the names; `equal_steps`: orders that equal steps cannot distinguish.
 //! - `judgement`, `excess`, `group_excess`, `remainder`, `unpredicted`, `withheld`: whether noise explains the
-//! residuals.
+//!   residuals.
 //! - `gross`: errors larger than any noise.
 //! - `limits`, `testable`: detection limits, and what cannot be tested; `repeatability`: the repeatability of the
-//! robot.
+//!   robot.
 //! - `handed_out`, `divergent_terms`, `unseen`: which model is handed out; `unnamed`: what predicts without a name.
 
 mod conclude;

@@ -22,8 +22,8 @@ use crate::units::HALF_TURN_DEG;
 /// Beyond so many standard deviations over the limit the selection does nothing.
 const FAR: f64 = 5.0;
 /// Steps of the correction of the value: further ones correct too much, in the mean (`hidden_effects small`).
-/// Calibrated: the mean size of what is found at λ = 16 is right within 5 %; 4 steps leave 7 %
-/// too much.
+/// Calibrated: the mean size of what is found at λ = 16 is right within 5 %; after 4 steps it is 7 %
+/// too large.
 const STEPS: usize = 5;
 
 /// Factors from the estimated size to the corrected one and to the ends of its interval.

@@ -3,7 +3,6 @@
 //! Those that are keep their stated places: they determine the tool. One that is elsewhere is free, from the row on
 //! from which it is. Where its samples lie at the stated place of another, their names are wrong. Where the samples do
 //! not determine which targets are at their places, all get the uncertainty by which they disagree.
-//! tells which targets are at their places, all are known no better than they agree.
 
 use std::collections::BTreeSet;
 
