@@ -61,7 +61,7 @@ pub fn closest_commands(
     for _ in 0..budget::STEPS {
         let here = sensed(model, &trial);
         // One joint alone needs the curvature.
-        let beside = match free {
+        let displaced = match free {
             [joint] => sensed(model, &nudged(model, &trial, *joint)),
             _ => Vec::new(),
         };
@@ -70,7 +70,7 @@ pub fn closest_commands(
             if !moving[i] {
                 continue;
             }
-            let step = Local::new(model, i, free, [&here, &beside], wanted).step();
+            let step = Local::new(model, i, free, [&here, &displaced], wanted).step();
             moving[i] = false;
             for (joint, by) in free.iter().copied().zip(step) {
                 let unit = unit_of(model, joint);
@@ -162,7 +162,7 @@ impl Local {
         model: &Model,
         pose: usize,
         free: &[usize],
-        [here, beside]: [&[Sensed]; 2],
+        [here, displaced]: [&[Sensed]; 2],
         wanted: &Places,
     ) -> Self {
         let first = |sensed: &[Sensed], joint: usize| -> Vec<[f64; 3]> {
@@ -181,9 +181,9 @@ impl Local {
         };
         let missing = here.iter().zip(wanted);
         let all_first: Vec<_> = free.iter().map(|joint| first(here, *joint)).collect();
-        let second = free.first().filter(|_| !beside.is_empty());
+        let second = free.first().filter(|_| !displaced.is_empty());
         let second = second.map_or_else(Vec::new, |joint| {
-            let pairs = first(beside, *joint).into_iter().zip(&all_first[0]);
+            let pairs = first(displaced, *joint).into_iter().zip(&all_first[0]);
             let slopes = pairs
                 .map(|(further, here)| minus(further, *here).map(|d| d / rounding::DIFFERENCE));
             slopes.collect()

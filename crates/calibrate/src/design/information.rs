@@ -1,11 +1,11 @@
-//! What is known of the parameters of a model, and what candidates would add to it (D-optimality):
+//! The information on the parameters of a model, and what candidates would add to it (D-optimality):
 //!
 //! ```text
 //! gain = ln det(1 + J C Jᵀ),   C ← C − C Jᵀ (1 + J C Jᵀ)⁻¹ J C
 //! ```
 //!
-//! with J the rows of a candidate in units of the noise and C the covariance so far. Taking a candidate in or
-//! out changes C and all J C Jᵀ by as many ranks as it has rows, and nothing is inverted anew.
+//! with J the rows of a candidate in units of the noise and C the covariance so far. Taking a candidate in or out
+//! changes C and all J C Jᵀ by an update of as many ranks as it has rows, without a new inversion.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use super::rows::Rows;
 use crate::budget;
 use crate::linear::cross;
 
-/// What is known of parameters, and what each candidate would add to it. A candidate is taken once.
+/// The covariance of parameters, and what each candidate would add to the information. A candidate is taken once.
 #[derive(Clone)]
 pub(crate) struct Information {
     pub(crate) rows: Arc<Rows>,
@@ -29,14 +29,14 @@ pub(crate) struct Information {
 pub(crate) struct Update {
     /// L.
     pub(crate) root: DMatrix<f64>,
-    /// `L⁻¹ J C`: how the parameters move with what is new in each row.
+    /// `L⁻¹ J C`: the change of the parameters by the innovation of each row.
     pub(crate) gain: DMatrix<f64>,
     /// The same in the rows of all candidates, in rows.
     pub(crate) moved: DMatrix<f64>,
 }
 
 impl Information {
-    /// Candidates beside what is known.
+    /// Candidates given what is known.
     pub(crate) fn new(rows: impl Into<Arc<Rows>>, covariance: DMatrix<f64>) -> Self {
         let rows = rows.into();
         let most = (0..rows.len()).map(|k| rows.place(k).1).max().unwrap_or(0);
