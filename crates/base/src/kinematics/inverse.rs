@@ -80,7 +80,7 @@ impl<'a> Inverse<'a> {
         }
     }
 
-    /// Whether the goal leaves the free joints only single solutions, not whole lines of them.
+    /// Whether the goal has isolated solutions for the free joints, not whole lines of them.
     pub fn is_determined(&self, goal: &Goal) -> bool {
         self.free.len() <= goal.size()
     }
@@ -241,7 +241,7 @@ impl<'a> Inverse<'a> {
         q
     }
 
-    /// Whether the tool is where the goal says.
+    /// Whether the tool is at the goal.
     pub fn is_reached(&self, goal: &Goal, q: &[f64]) -> bool {
         let here = self.robot.base_from_tool(q);
         let way = goal.position_mm.coords - here.translation.vector;

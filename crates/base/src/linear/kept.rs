@@ -19,7 +19,7 @@ impl Kept {
         }
     }
 
-    /// What is left of a column.
+    /// The projection of a column orthogonal to them.
     pub fn reject(&self, column: &DVector<f64>) -> DVector<f64> {
         let mut projected = column.clone();
         if self.q.len() >= self.rows {
