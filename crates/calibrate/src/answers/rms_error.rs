@@ -7,7 +7,7 @@
 //! It is of a position, over the samples that can be used. Which model predicts gives it its name:
 //!
 //! - *nominal*: the robot as its controller believes it to be, of a session with setups from where each
-//! fits best;
+//!   fits best;
 //! - *after identification*: the model of `identify`;
 //! - *with found effects*: the model that a diagnosis hands out, never above the one before;
 //! - *cross-validated* (*held-out*): each sample by a fit that has not seen it, by the same procedure.

@@ -8,7 +8,7 @@ use crate::fit::base_model;
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
-use crate::observations::figures::apart_beside;
+use crate::observations::figures::outliers_given;
 use crate::observations::{Layer, start};
 use crate::sessions::{Session, hash_of_samples};
 use crate::text::Text;
@@ -40,7 +40,7 @@ pub(super) fn verify(
     let suspected = set_aside::of_its_own(calibration, own, problem.usable.len());
     let suspected = suspected.unwrap_or_else(|| {
         problem.observed.as_ref().map_or_else(Vec::new, |layer| {
-            layer.samples_with(&apart_beside(layer, &placed))
+            layer.samples_with(&outliers_given(layer, &placed))
         })
     });
     let compared = Compared {

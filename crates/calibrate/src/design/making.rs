@@ -6,7 +6,7 @@
 //!    poses under that condition; and where more poses are asked for those that lower the detection
 //!    limits of every effect of the catalogue (`first_measurement`).
 //! 3. Of several joints poses that determine the geometry best (`geometry`), whatever is measured, under
-//! conditions that determine the effects (`conditions`).
+//!    conditions that determine the effects (`conditions`).
 //!
 //! The claims of the plan are checked on the session as it would be with the poses measured (`expected_information`):
 //! an effect counts as enabled only if it is testable there.

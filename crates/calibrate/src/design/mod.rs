@@ -4,10 +4,10 @@
 //! `making`). All are made in one way:
 //!
 //! 1. **Candidates**: a place and the conditions there (`candidate`), in all combinations for a session
-//! (`candidate_poses`), slot by slot of a schedule (`first_measurement`), over the joint ranges in every way of
-//! measuring (`arm`), the same under loads, warmth and from other sides (`conditions`).
+//!    (`candidate_poses`), slot by slot of a schedule (`first_measurement`), over the joint ranges in every way of
+//!    measuring (`arm`), the same under loads, warmth and from other sides (`conditions`).
 //! 2. **Rows** `J = ∂y/∂β / σ`, `d = (y′ − y)/σ` of every candidate (`rows`), of points or of what an imagined session
-//! would have measured (`imagined`); the covariance C of what is known already (`covariance`).
+//!    would have measured (`imagined`); the covariance C of what is known already (`covariance`).
 //! 3. **A criterion**: D-optimality `ln det(1 + J C Jᵀ)` (`information`), or T-optimality (Atkinson & Fedorov 1975),
 //!    `Δ = min_β ‖d − J β‖² + βᵀ C⁻¹ β`, how far a refitted rival stays from each truth (`comparison`, all pairs at
 //!    once in `model_separation`), until the right one is found often enough (`decision`).

@@ -15,7 +15,7 @@ use crate::sessions::{Samples, Session};
 /// Which joint values the simulation starts from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum JointValues {
-    /// What the controller was told.
+    /// The commanded values.
     #[default]
     Commanded,
     /// What the controller read back.

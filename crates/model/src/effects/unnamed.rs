@@ -1,4 +1,4 @@
-//! What predicts poses that no fit has seen and has no name: corrections of a joint's angle and of its
+//! Corrections that predict poses that no fit has seen and have no name: corrections of a joint's angle and of its
 //! axis that follow the poses, with numbers that a diagnosis set and no later fit changes.
 //!
 //! ```text
@@ -94,10 +94,10 @@ impl Term {
         }
     }
 
-    /// The same with the coefficients that the rest of the model has without it.
+    /// The same with the coefficients of the rest of the model without it.
     #[doc(hidden)]
     #[must_use]
-    pub fn beside_geometry(&self, alone: &[f64]) -> Self {
+    pub fn with_geometry_alone_as(&self, alone: &[f64]) -> Self {
         let rest = self.rest.as_deref().map(|rest| {
             Arc::new(Rest {
                 geometry_alone: alone.to_vec(),

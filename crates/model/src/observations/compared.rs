@@ -1,5 +1,5 @@
-//! What is left of every observation, and how it depends on what samples share: where their target sits in the
-//! tool, how their setup stands, where the place is that they refer to.
+//! The residual of every observation, and its derivatives with respect to what samples share: the place of their
+//! target in the tool, the frame of their setup, the place that they refer to.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -10,7 +10,7 @@ use crate::sessions::{Group, Session, SessionCorrection};
 
 use super::{Layer, Residual};
 
-/// One observation beside a model, in units of its noise.
+/// One observation compared with a model, in units of its noise.
 #[derive(Debug, Clone)]
 pub struct ComparedObservation {
     /// The sample.
@@ -24,8 +24,8 @@ pub struct ComparedObservation {
 }
 
 impl ComparedObservation {
-    /// How what is predicted moves with the numbers of a group, row by row: mm along x, y, z of the tool of a target;
-    /// a rotation vector and mm of a setup, rad; the coefficients of a place.
+    /// The derivative of the prediction with respect to the numbers of a group, row by row: mm along x, y, z of the
+    /// tool of a target; a rotation vector and mm of a setup, rad; the coefficients of a place.
     pub fn by(&self, group: Group) -> [[f64; MOST]; 3] {
         std::array::from_fn(|row| match group {
             Group::Target => {
@@ -44,7 +44,7 @@ impl ComparedObservation {
     }
 }
 
-/// Every observation that there is to be fitted beside a model, sample by sample.
+/// Every observation to be fitted, compared with a model, sample by sample.
 pub fn compared_with(
     session: &Session,
     values: JointValues,

@@ -1,4 +1,4 @@
-//! What a fit leaves of each kind of measurement: its noise, what stands apart, its errors.
+//! Figures of each kind of measurement after a fit: its noise, outliers, its errors.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -94,13 +94,13 @@ fn residuals(layer: &Layer, model: &Model) -> WhitenedRows {
 /// How many standard deviations of itself a noise has to be below the stated one to be believed instead.
 const CLEARLY: f64 = 3.0;
 
-/// Looks at what a model leaves: outliers of each kind beside its own bulk, and the noise of kinds
-/// whose σ is not stated. `rank` is the number of coefficients that the rows carry, `covariance` theirs in units of the
+/// Judges the residuals of a model: outliers of each kind compared with its own bulk, and the noise of kinds whose σ
+/// is not stated. `rank` is the number of coefficients that the rows determine, `covariance` theirs in units of the
 /// noise times the layer's. Returns whether anything that matters has changed.
 ///
-/// Where several kinds were measured, one whose noise is clearly below what is stated weighs as it is: a
-/// careful figure in the data sheet of one instrument would leave the robot to the other. A noise above the
-/// stated one may be an effect that is still missing, and changes no weight.
+/// Where several kinds were measured, one whose noise is clearly below its stated value has the weight of the former:
+/// a careful figure in the data sheet of one instrument would leave the robot to the other. A noise above the stated
+/// one may be an effect that is still missing, and changes no weight.
 pub fn judge(
     layer: &mut Layer,
     model: &Model,
@@ -174,8 +174,8 @@ fn leverages_of_unseen(
     leverages
 }
 
-/// The stated noise of a kind, or what is found where that is clearly less, were all coefficients fitted to
-/// this kind alone.
+/// The stated noise of a kind, or the estimated one where that is clearly less, were all coefficients fitted to this
+/// kind alone.
 fn no_larger(stated: f64, found: f64, rows: usize, rank: usize) -> f64 {
     let freedom = rows.saturating_sub(rank).max(1) as f64;
     let found = found * (rows as f64 / freedom).sqrt();
@@ -187,13 +187,13 @@ fn no_larger(stated: f64, found: f64, rows: usize, rank: usize) -> f64 {
     }
 }
 
-/// Which observations stand apart from their kind beside a model.
-pub fn apart_beside(layer: &Layer, model: &Model) -> Vec<bool> {
+/// Which observations are outliers of their kind given a model.
+pub fn outliers_given(layer: &Layer, model: &Model) -> Vec<bool> {
     outlying(layer, &residuals(layer, model).rows)
 }
 
-/// Which observations stand apart from their kind, from what is left of each in units of its noise;
-/// those to be fitted make the bulk.
+/// Which observations are outliers of their kind, from the residual of each in units of its noise; those to be fitted
+/// make the bulk.
 pub fn outlying(layer: &Layer, residuals: &[[f64; 3]]) -> Vec<bool> {
     let mut marked = vec![false; layer.items.len()];
     for kind in 0..KINDS.len() {
@@ -215,7 +215,7 @@ pub fn outlying(layer: &Layer, residuals: &[[f64; 3]]) -> Vec<bool> {
     marked
 }
 
-/// What a model leaves of every row that counts, in units of its noise.
+/// The residual of every row that counts, in units of its noise.
 pub fn whitened(layer: &Layer, model: &Model) -> Vec<f64> {
     let residuals = residuals(layer, model);
     let items = (0..layer.items.len()).filter(|i| layer.used[*i]);
@@ -224,15 +224,15 @@ pub fn whitened(layer: &Layer, model: &Model) -> Vec<f64> {
         .collect()
 }
 
-/// What is left of a kind whose noise is stated.
+/// The residuals of a kind whose noise is stated.
 pub struct ResidualsOfKind {
     pub name: &'static str,
     /// Squares of its rows that count, in units of the stated noise.
     pub squares: Vec<f64>,
 }
 
-/// What a model leaves of every kind whose noise is stated.
-pub fn left_of_kinds(layer: &Layer, model: &Model) -> Vec<ResidualsOfKind> {
+/// The residuals of every kind whose noise is stated.
+pub fn residuals_of_kinds(layer: &Layer, model: &Model) -> Vec<ResidualsOfKind> {
     let residuals = residuals(layer, model);
     let mut all = Vec::new();
     for (kind, own) in KINDS.iter().enumerate() {
@@ -285,8 +285,8 @@ pub fn deviations(layer: &Layer, model: &Model) -> Deviations {
     deviations
 }
 
-/// Root mean square of a coordinate of what is a length in mm, beside a fit of so many coefficients: the noise
-/// as it was found, without a row of an angle in it. `None` where nothing counts.
+/// Root mean square of a coordinate of what is a length in mm, for a fit of so many coefficients: the estimated noise,
+/// without a row of an angle in it. `None` where nothing counts.
 pub fn coordinate_mm(layer: &Layer, model: &Model, rank: f64) -> Option<f64> {
     let residuals = residuals(layer, model);
     let (mut sum, mut rows) = (0.0, 0);

@@ -19,7 +19,7 @@ use crate::{odds, thresholds};
 
 use crate::fit::gap::lengths_mm;
 use crate::fit::noise::StatedNoise;
-use crate::observations::figures::{ResidualsOfKind, left_of_kinds};
+use crate::observations::figures::{ResidualsOfKind, residuals_of_kinds};
 use crate::observations::{Layer, kind_in_words};
 
 use super::excess::{Excess, excess_of};
@@ -262,7 +262,7 @@ fn is_of_the_bulk(bulk: f64, values: &Values, floor: &Floor) -> bool {
 
 /// The same of every kind whose noise is stated: the clearest of them, its chance that of as much in any.
 fn by_kind(layer: &Layer, values: &Values, floor: &Floor) -> Option<Excess> {
-    let of_kind = left_of_kinds(layer, &values.model);
+    let of_kind = residuals_of_kinds(layer, &values.model);
     let tried = of_kind.len() as f64;
     let all: usize = of_kind.iter().map(|kind| kind.squares.len()).sum();
     let spent = values.rank() / all.max(1) as f64;

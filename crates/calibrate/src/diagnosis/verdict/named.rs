@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use crate::effects::Term;
 use crate::fit::gap::{deviations, lengths_mm, over_fitted, suspects};
 use crate::fit::problem::Problem;
-use crate::observations::figures::apart_beside;
+use crate::observations::figures::outliers_given;
 
 use super::handed_out;
 use super::unseen::held_out;
@@ -128,7 +128,7 @@ fn with_unlocked<'p, 'a>(prepared: &'p PreparedSearch<'a>, fit: &Fit) -> Cow<'p,
     let model = &Values::of(prepared, &prepared.problem, fit, false).model;
     let mut all = (*prepared.problem).clone();
     all.take_in(&prepared.locked, |all| match &all.observed {
-        Some(layer) => apart_beside(layer, model),
+        Some(layer) => outliers_given(layer, model),
         None => suspects(all, &deviations(all, model)),
     });
     Cow::Owned(all)

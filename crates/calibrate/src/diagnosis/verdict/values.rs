@@ -373,7 +373,9 @@ impl<'a> Values<'a> {
         now.problem.extra_columns.clear();
         let is_base = |t: &Term| base_model::belongs(t.effect.about().id);
         let alone = self.model.coefficients();
-        let unnamed = unnamed.iter().map(|term| term.beside_geometry(&alone));
+        let unnamed = unnamed
+            .iter()
+            .map(|term| term.with_geometry_alone_as(&alone));
         let unnamed: Vec<Term> = unnamed.collect();
         let all = [self.with_names_held(), unnamed.clone()].concat();
         let fitted = solve(&now.problem, &Model::new(self.model.robot.clone(), all)).model;

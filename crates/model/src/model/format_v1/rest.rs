@@ -1,4 +1,4 @@
-//! What predicts without a name, on disk: the numbers that the program computes with (rad, mm), so that
+//! The corrections that predict without a name, on disk: the numbers that the program computes with (rad, mm), so that
 //! they are read back to the last bit.
 
 use crate::text::{Template, Text};

@@ -103,11 +103,11 @@ impl Kind for Bearing {
         let stands = [seen.place[3], seen.place[4], seen.place[5]];
         let into = transposed(rotation(omega));
         let arm = minus(seen.point, stands);
-        let (left, by) = angles::left(measured, times(into, arm));
+        let (off, by) = angles::residual_of(measured, times(into, arm));
         let out = transposed(into);
         let spins = by_attitude(omega, into, arm);
         for row in 0..2 {
-            residual.left[row] = left[row];
+            residual.left[row] = off[row];
             residual.by_point[row] = times(out, by[row]);
             for k in 0..3 {
                 residual.by_place[row][k] = dot(by[row], spins[k]);
