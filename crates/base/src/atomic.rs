@@ -158,7 +158,7 @@ impl StagedFile {
                 source,
             }
         };
-        let path = standing_at(named, force)?;
+        let path = destination(named, force)?;
         let folder = folder_of(&path);
         unfinished::remove_stale(folder);
         let prefix = unfinished::prefix();
@@ -298,7 +298,7 @@ fn turn_of(folder: &Path) -> Option<fs::File> {
 }
 
 /// The path of an output, or why it is refused.
-fn standing_at(named: &Path, force: bool) -> Result<PathBuf, WriteError> {
+fn destination(named: &Path, force: bool) -> Result<PathBuf, WriteError> {
     match fs::metadata(named) {
         Ok(old) if !old.is_file() => Err(WriteError::NotAFile(named.to_path_buf())),
         Ok(_) if !force => Err(WriteError::Exists(named.to_path_buf())),

@@ -220,7 +220,7 @@ pub fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
                 file: last.place.file.clone(),
                 ..Place::default()
             };
-            let says = match severity {
+            let summary = match severity {
                 Severity::Note => {
                     text!(one "{count} more note like these", "{count} more notes like these", count = more)
                 }
@@ -233,7 +233,7 @@ pub fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
             };
             kept.push(Diagnostic {
                 severity,
-                ..Diagnostic::note(place, says)
+                ..Diagnostic::note(place, summary)
             });
         }
     }

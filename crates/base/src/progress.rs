@@ -124,15 +124,15 @@ impl ProgressSpan<'_> {
     pub fn reached(self, share: f64) -> Result<(), Cancelled> {
         let Progress {
             watch,
-            share: told,
+            share: reported,
             cancelled,
         } = self.progress;
         if cancelled.get() {
             return Err(Cancelled);
         }
         let now = self.part(share.clamp(0.0, 1.0), 1.0).from.min(1.0);
-        told.set(told.get().max(now));
-        match watch(told.get()) {
+        reported.set(reported.get().max(now));
+        match watch(reported.get()) {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(()) => {
                 cancelled.set(true);

@@ -61,8 +61,8 @@ pub fn regional_start(
     let session = &*session.whole()?;
     let of_another = diagnosis.model.robot.joints.len() != session.robot.joints.len();
     if of_another {
-        let says = text!("the diagnosis is of a robot with another number of joints");
-        return Err(IdentifyError::NotASingleRevoluteJoint(says));
+        let summary = text!("the diagnosis is of a robot with another number of joints");
+        return Err(IdentifyError::NotASingleRevoluteJoint(summary));
     }
     let regional = identify_regional(session, &RegionChoice::FromSession, values)?;
     let constants = |id: &str| DEFAULT_EFFECTS.contains(&id);
@@ -83,14 +83,14 @@ pub fn regional_start(
     });
     let apart_mm = apart.fold(0.0, f64::max);
     let turn = turn(session, &regional, values);
-    let says = describe(&regional, turn, (theta, l1), apart_mm, diagnosis);
+    let summary = describe(&regional, turn, (theta, l1), apart_mm, diagnosis);
     let both = of_one.regions.iter().map(|r| &r.correction);
     Ok(RegionalStart {
         of_one_error: both.map(|c| (c.theta_rad, c.l1_mm)).collect(),
         one_correction: (theta, l1),
         turn,
         apart_mm,
-        summary: says,
+        summary,
         regional,
     })
 }

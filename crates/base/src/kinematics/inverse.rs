@@ -32,7 +32,7 @@ pub const REACHED_RAD: f64 = 2e-4;
 /// Solutions nearer to each other than this (rad, or the same part of the reach) are one.
 const SAME: f64 = 1e-5;
 /// Solutions of the closed form nearer than this (rad) are searched for: a file rounds more.
-const BESIDE: f64 = 1e-3;
+const NEARBY: f64 = 1e-3;
 
 /// Where the tool is to go.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -150,7 +150,7 @@ impl<'a> Inverse<'a> {
             }
             let q = self.wound_back(q.to_vec());
             // Two that fall together are the border of a singular pose.
-            if found.iter().any(|f| self.distance(f, &q) < BESIDE) {
+            if found.iter().any(|f| self.distance(f, &q) < NEARBY) {
                 return None;
             }
             found.push(q);

@@ -57,7 +57,11 @@ impl Catalogue {
     }
 
     /// The translation of these words in this context.
-    pub(super) fn said_in(&'static self, context: &str, english: &str) -> Option<&'static str> {
+    pub(super) fn translated_in(
+        &'static self,
+        context: &str,
+        english: &str,
+    ) -> Option<&'static str> {
         let key = (context.to_owned(), english.to_owned());
         self.sentences.get(&key)?.forms.last().map(String::as_str)
     }

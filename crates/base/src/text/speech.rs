@@ -165,7 +165,7 @@ pub fn known_in(
             Some(filled_pattern(language, english, arguments))
         }
         language => {
-            let pattern = catalogue(language).said_in(context, english)?;
+            let pattern = catalogue(language).translated_in(context, english)?;
             Some(filled_pattern(language, pattern, arguments))
         }
     }

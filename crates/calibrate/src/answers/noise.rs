@@ -155,9 +155,9 @@ impl Slow {
 
     /// In words, where the model may lack what changes with time as the poses do, with this residual, mm: of a drift
     /// that takes longer than the session the fit has absorbed a part, and the residual is the rest.
-    pub fn says_of_remaining_error(&self, left_mm: f64) -> Text {
+    pub fn says_of_remaining_error(&self, residual_mm: f64) -> Text {
         let (wanders_mm, time) = self.extent();
-        let size = length(wanders_mm.min(left_mm), 4);
+        let size = length(wanders_mm.min(residual_mm), 4);
         text!(
             "a part of the remaining error goes on from sample to sample, {size} (root mean square) within {time} min: a diagnosis looks for effects in it",
             size,

@@ -25,8 +25,8 @@ pub(super) fn verified(
     notes: &[Text],
 ) -> Result<Verification, VerifyError> {
     let set_up = &calibration.set_up;
-    let by = |read: &Session, says: Option<Text>| {
-        let notes = notes.iter().cloned().chain(says).collect();
+    let by = |read: &Session, note: Option<Text>| {
+        let notes = notes.iter().cloned().chain(note).collect();
         verify_as_read(calibration, read, notes)
     };
     let own = is_own(calibration, session);
@@ -38,27 +38,27 @@ pub(super) fn verified(
     if reads_plain || session.samples.corrected.is_some() {
         return by(session, None);
     }
-    let says = text!(
+    let note = text!(
         "read as the model's own session was: {how}",
         how = set_up.describe()
     );
-    let says = (!set_up.is_empty()).then_some(says);
-    let first = by(&set_up.applied(session, own), says)?;
+    let note = (!set_up.is_empty()).then_some(note);
+    let first = by(&set_up.applied(session, own), note)?;
     if own {
         return Ok(first);
     }
     let mut best = first;
     let mut others: Vec<(Cow<Session>, Template)> = Vec::new();
     if let Some(elsewhere) = with_a_new_frame(set_up, session) {
-        let says = phrase!("the instrument was moved: its frame is fitted to these samples");
-        others.push((Cow::Owned(elsewhere), says));
+        let note = phrase!("the instrument was moved: its frame is fitted to these samples");
+        others.push((Cow::Owned(elsewhere), note));
     }
-    let says = phrase!(
+    let note = phrase!(
         "the set-up errors of the model's session are not in this one: it is read as it stands"
     );
-    others.push((Cow::Borrowed(session), says));
-    for (read, says) in others {
-        if let Ok(other) = by(&read, Some(says.into()))
+    others.push((Cow::Borrowed(session), note));
+    for (read, note) in others {
+        if let Ok(other) = by(&read, Some(note.into()))
             && thresholds::FAR * other.model.rms_mm < best.model.rms_mm
         {
             best = other;

@@ -47,12 +47,12 @@ impl Remainder {
     pub fn new(calibration: &Calibration, inputs: &Inputs) -> Self {
         let compensation = Compensation::new(calibration);
         let inputs = &*inputs.fitted_to(calibration.model.robot.joints.len());
-        let left = left_over(&compensation, inputs);
-        let lengths = left.iter().map(|v| dot(*v, *v).sqrt());
+        let residuals = left_over(&compensation, inputs);
+        let lengths = residuals.iter().map(|v| dot(*v, *v).sqrt());
         Self {
-            rms_mm: rms(&left),
+            rms_mm: rms(&residuals),
             max_mm: lengths.fold(0.0, f64::max),
-            radial_axial_mm: radial_and_axial(&compensation, inputs, &left),
+            radial_axial_mm: radial_and_axial(&compensation, inputs, &residuals),
             shares: shares(calibration, &compensation, inputs),
         }
     }
@@ -99,7 +99,7 @@ fn rms(vectors: &[[f64; 3]]) -> f64 {
 fn radial_and_axial(
     compensation: &Compensation,
     inputs: &Inputs,
-    left: &[[f64; 3]],
+    residuals: &[[f64; 3]],
 ) -> Option<[f64; 2]> {
     let robot = &compensation.robot.robot;
     if robot.joints.len() != 1 || robot.joints[0].kind != crate::kinematics::JointKind::Revolute {
@@ -108,33 +108,33 @@ fn radial_and_axial(
     let frame = JointFrame::new(robot, 0);
     let nominal = compensation.nominal.predict(inputs);
     let (mut radial, mut axial) = (0.0, 0.0);
-    for (i, left) in left.iter().enumerate() {
+    for (i, residual) in residuals.iter().enumerate() {
         let arm = minus(nominal.get(i), frame.origin_mm);
         let height = dot(arm, frame.along);
         let across = minus(arm, frame.along.map(|v| v * height));
         let radius = dot(across, across).sqrt();
         if radius > 0.0 {
-            radial += (dot(*left, across) / radius).powi(2);
+            radial += (dot(*residual, across) / radius).powi(2);
         }
-        axial += dot(*left, frame.along).powi(2);
+        axial += dot(*residual, frame.along).powi(2);
     }
-    let n = left.len().max(1) as f64;
+    let n = residuals.len().max(1) as f64;
     Some([(radial / n).sqrt(), (axial / n).sqrt()])
 }
 
 fn shares(calibration: &Calibration, all: &Compensation, inputs: &Inputs) -> Vec<Share> {
     if all.regional.is_some() {
-        let left = rms(&left_over(all, inputs));
+        let residual_mm = rms(&left_over(all, inputs));
         let share = Share {
             effect: "regional correction",
             joint: Some(1),
-            rms_mm: left,
+            rms_mm: residual_mm,
             remedy: text!(
                 "its part along the radius belongs into the tool data (l1) or the base data \
                      of the controller; the exact method says into which"
             ),
         };
-        return if left > NOTHING_MM {
+        return if residual_mm > NOTHING_MM {
             vec![share]
         } else {
             Vec::new()

@@ -252,7 +252,7 @@ fn unexplained_part(calibration: &Calibration, joint: usize) -> Vec<Text> {
     let slides = model.robot.joints[joint].kind == JointKind::Prismatic;
     let own = model.terms().iter().filter(|t| t.joint == joint);
     let curves = own.filter_map(Term::curve);
-    let says = curves.map(|curve| {
+    let notes = curves.map(|curve| {
         let (unit, outer): (&str, fn(f64) -> f64) = if slides {
             (" mm", |v| v)
         } else {
@@ -265,7 +265,7 @@ fn unexplained_part(calibration: &Calibration, joint: usize) -> Vec<Text> {
             to = format!("{:.2}{unit}", outer(curve.knots().to))
         )
     });
-    says.collect()
+    notes.collect()
 }
 
 /// Equal steps over the travel, in the user's unit.

@@ -287,11 +287,11 @@ pub(super) fn same_robot(
     session: &Session,
 ) -> Result<Vec<Text>, VerifyError> {
     let kinds = |robot: &crate::kinematics::Robot| {
-        let said = |kind: JointKind| match kind {
+        let kind_in_words = |kind: JointKind| match kind {
             JointKind::Revolute => Text::named(kind.name(), phrase!("revolute")),
             JointKind::Prismatic => Text::named(kind.name(), phrase!("prismatic")),
         };
-        Text::listed(robot.joints.iter().map(|j| said(j.kind)), ", ")
+        Text::listed(robot.joints.iter().map(|j| kind_in_words(j.kind)), ", ")
     };
     let (a, b) = (&session.robot, &calibration.model.robot);
     let (a, b) = (kinds(a), kinds(b));
@@ -474,13 +474,13 @@ pub(super) fn where_the_model_is(
     if compensation.regional.is_some() {
         return compensation.reached(inputs, corrections);
     }
-    let mut told = inputs.clone();
-    for (q, by) in told.q.iter_mut().zip(corrections) {
+    let mut corrected_inputs = inputs.clone();
+    for (q, by) in corrected_inputs.q.iter_mut().zip(corrections) {
         for (q, by) in q.to_mut().iter_mut().zip(by) {
             *q += by;
         }
     }
-    full.predict(&told)
+    full.predict(&corrected_inputs)
 }
 
 /// Deviations of the measured points from expected ones; NaN where a sample cannot be used.

@@ -141,7 +141,7 @@ pub(crate) fn worth_enabling(
     let samples = &prepared.problem.session.samples;
     let cheap = |need: &Need| match need {
         Need::BothSides | Need::Travel => true,
-        Need::Speeds | Need::Loads | Need::Temperatures => is_said(*need, samples),
+        Need::Speeds | Need::Loads | Need::Temperatures => is_stated(*need, samples),
         _ => false,
     };
     let mut untestable = untestable(prepared, not_testable);
@@ -233,8 +233,8 @@ fn comparisons(
         let rival = others.fold(model.clone(), |model, t| {
             model.with_term(Term::absent(t.effect, t.joint, t.setting))
         });
-        let unsaid = one.needs.iter().any(|need| !is_said(*need, samples));
-        let weight = if unsaid { WEAK } else { 1.0 };
+        let unstated = one.needs.iter().any(|need| !is_stated(*need, samples));
+        let weight = if unstated { WEAK } else { 1.0 };
         // The effect was there already; the samples so far could not show it.
         let truth = model.with_term(term.clone());
         Comparison::from_the_start(
@@ -248,7 +248,7 @@ fn comparisons(
 }
 
 /// Whether a session states the condition under which it was measured.
-fn is_said(need: Need, samples: &Samples) -> bool {
+fn is_stated(need: Need, samples: &Samples) -> bool {
     match need {
         Need::BothSides => samples.dir.iter().any(Option::is_some),
         Need::Speeds => samples.speed.iter().any(Option::is_some),

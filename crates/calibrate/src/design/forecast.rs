@@ -102,10 +102,10 @@ impl Workspace {
     }
 
     pub(crate) fn error(&self, covariance: &DMatrix<f64>) -> ExpectedError {
-        let carried = covariance * &self.rows.columns;
+        let products = covariance * &self.rows.columns;
         let of = |pose: usize| {
             let (first, size) = self.rows.place(pose);
-            let trace = self.rows.of(pose).dot(&carried.columns(first, size));
+            let trace = self.rows.of(pose).dot(&products.columns(first, size));
             trace.max(0.0).sqrt()
         };
         let mut all: Vec<f64> = (0..self.rows.len()).map(of).collect();

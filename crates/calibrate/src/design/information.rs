@@ -59,10 +59,10 @@ impl Information {
             let more = first[from..].partition_point(|f| f - first[from] <= budget::AT_ONCE);
             let to = (from + more - 1).max(from + 1);
             let start = first[from];
-            let carried = &self.covariance * columns.columns(start, first[to] - start);
+            let products = &self.covariance * columns.columns(start, first[to] - start);
             for pair in first[from..=to].windows(2) {
                 let size = pair[1] - pair[0];
-                let own = carried.columns(pair[0] - start, size);
+                let own = products.columns(pair[0] - start, size);
                 let mut to = self.spread.view_mut((pair[0], 0), (size, size));
                 to.copy_from(&own.tr_mul(&columns.columns(pair[0], size)));
             }

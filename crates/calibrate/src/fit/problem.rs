@@ -251,7 +251,7 @@ impl<'a> Problem<'a> {
         'a: 'b,
     {
         let marks = |all: &[bool]| rows.iter().map(|row| all[*row]).collect();
-        let beside = |column: &[Vec<f64>; 3]| {
+        let selected = |column: &[Vec<f64>; 3]| {
             column
                 .each_ref()
                 .map(|axis| rows.iter().map(|row| axis[*row]).collect())
@@ -263,7 +263,7 @@ impl<'a> Problem<'a> {
             fit: marks(&self.fit),
             used: marks(&self.used),
             axis_weights: self.axis_weights,
-            extra_columns: self.extra_columns.iter().map(beside).collect(),
+            extra_columns: self.extra_columns.iter().map(selected).collect(),
             has_clock: self.has_clock,
             out_of_time_order: self.out_of_time_order,
             digits_mm: self.digits_mm,

@@ -256,8 +256,8 @@ pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, 
 /// The same coefficients as a solution of another problem; extra columns that only one of them has are zero.
 pub(crate) fn solution_at(problem: &Problem, solution: &Solution) -> Solution {
     let mut there = solution.clone();
-    let beside = problem.extra_columns.len();
-    there.extra_coefficients.resize(beside, 0.0);
+    let extra = problem.extra_columns.len();
+    there.extra_coefficients.resize(extra, 0.0);
     let (spectrum, cost, _) = spectrum_at(problem, &there);
     Solution {
         spectrum,

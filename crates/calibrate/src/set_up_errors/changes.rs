@@ -30,7 +30,7 @@ impl Change {
     }
 
     /// The same with the changes that are equivalent to it in these samples.
-    pub(super) fn said_with(what: Text, twins: &[Text]) -> Text {
+    pub(super) fn with_equivalents(what: Text, twins: &[Text]) -> Text {
         if twins.is_empty() {
             return what;
         }

@@ -47,8 +47,8 @@ fn some(rows: Vec<usize>, problem: impl Fn(Vec<usize>, Text) -> DataProblem) -> 
         0 => Text::verbatim(first),
         more => text!("{first} and {more} more", first, more),
     };
-    let said = (!rows.is_empty()).then(|| problem(rows, which));
-    said.into_iter().collect()
+    let found = (!rows.is_empty()).then(|| problem(rows, which));
+    found.into_iter().collect()
 }
 
 /// Samples that are far off and lie where another reflector is, or all at one place.

@@ -206,7 +206,7 @@ impl<'a> Judge<'a> {
     fn problem(&self, change: &Change, twins: &[Text], after_mm: f64) -> DataProblem {
         let (before, after) = (in_words(self.before_mm), length(after_mm, 3));
         DataProblem::of_all(
-            Change::said_with(change.what.clone(), twins),
+            Change::with_equivalents(change.what.clone(), twins),
             if self.share == HALF {
                 text!(
                     "with the frame, the tool and the zero offsets fitted the median error is {before} as it stands and {after} with the set-up error corrected",
@@ -396,7 +396,7 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
         turn = turned.clone()
     );
     Some(DataProblem::of_all(
-        Change::said_with(
+        Change::with_equivalents(
             text!("the measuring frame was never aligned with the robot's base"),
             if about_axis {
                 std::slice::from_ref(&home)

@@ -202,7 +202,7 @@ mod tests {
         let mut lengths = vec![3.0_f64.sqrt(); 95];
         let (alone, _) = cost(&lengths);
         lengths.extend([1e4; 5]);
-        let (beside, _) = cost(&lengths);
-        assert!(beside < 1.6 * alone, "{alone} {beside}");
+        let (with_outliers, _) = cost(&lengths);
+        assert!(with_outliers < 1.6 * alone, "{alone} {with_outliers}");
     }
 }

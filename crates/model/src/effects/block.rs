@@ -437,10 +437,10 @@ impl<'a> Block<'a> {
             return;
         }
         // Most effects add to the value, whatever it is.
-        if turned.by_input.iter().any(|carry| *carry != 1.0) {
+        if turned.by_input.iter().any(|factor| *factor != 1.0) {
             for tangent in self.tangents.iter_mut().filter(|t| t.joint == joint) {
-                for (value, carry) in tangent.lanes.iter_mut().zip(&turned.by_input) {
-                    *value *= carry;
+                for (value, factor) in tangent.lanes.iter_mut().zip(&turned.by_input) {
+                    *value *= factor;
                 }
             }
         }
@@ -501,8 +501,8 @@ impl<'a> Block<'a> {
             if self.by == Columns::None {
                 continue;
             }
-            for (lanes, carry) in carried.iter_mut().flatten().zip(jacobian.as_flattened()) {
-                lanes[i] = *carry;
+            for (lanes, factor) in carried.iter_mut().flatten().zip(jacobian.as_flattened()) {
+                lanes[i] = *factor;
             }
             if !asked {
                 continue;

@@ -67,12 +67,12 @@ fn act(me: &Placed, block: &mut Block) {
     } else {
         Vec::new()
     };
-    carried(me, block, &values, &slopes);
+    displaced(me, block, &values, &slopes);
 }
 
 /// Moves the points of a joint's link along its motion, along its radius and along its axis, and the
 /// derivatives with it; `slopes` are the derivatives of the three by the commands of some joints.
-pub(super) fn carried(
+pub(super) fn displaced(
     me: &Placed,
     block: &mut Block,
     values: &[[f64; DIRECTIONS]; LANES],

@@ -14,7 +14,7 @@ use super::about::{About, Form, Role, Stage};
 use super::block::Block;
 use super::needs::Need;
 use super::torque::torque_nm;
-use super::unexplained::carried;
+use super::unexplained::displaced;
 use super::{Effect, Inputs, Placed, Term};
 use crate::kinematics::{JointKind, Robot};
 use crate::lanes::LANES;
@@ -82,7 +82,7 @@ fn act(me: &Placed, block: &mut Block) {
             slopes.push((joint, slope));
         }
     }
-    carried(me, block, &values, &slopes);
+    displaced(me, block, &values, &slopes);
 }
 
 impl Term {

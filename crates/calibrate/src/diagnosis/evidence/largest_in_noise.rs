@@ -60,7 +60,7 @@ mod tests {
     use super::*;
 
     /// The mean over many draws of a thousand of the estimated chance, relative to the true one.
-    fn said(mut surprise: impl FnMut() -> f64, at: f64, chance: f64) -> f64 {
+    fn estimated(mut surprise: impl FnMut() -> f64, at: f64, chance: f64) -> f64 {
         let laws = (0..200).map(|_| LargestInNoise::of((0..1000).map(|_| surprise()).collect()));
         laws.map(|law| law.chance(at)).sum::<f64>() / 200.0 / chance
     }
@@ -76,8 +76,11 @@ mod tests {
         for (chance, within) in [(0.1, 1.1), (0.01, 1.15), (0.002, 1.3), (1e-5_f64, 1.6)] {
             let mut random = ChaCha8Rng::seed_from_u64(1);
             let drawn = || of_all(1.0 - random.random::<f64>());
-            let said = said(drawn, of_all(chance), chance);
-            assert!(said > 1.0 / within && said < within, "{chance}: {said}");
+            let estimated = estimated(drawn, of_all(chance), chance);
+            assert!(
+                estimated > 1.0 / within && estimated < within,
+                "{chance}: {estimated}"
+            );
         }
         let law = LargestInNoise::of(
             (0..1000)
@@ -93,7 +96,7 @@ mod tests {
     fn of_heavier_tails_what_was_counted_counts() {
         let mut random = ChaCha8Rng::seed_from_u64(2);
         let at = |chance: f64| 6.0 - chance.ln() / 0.6;
-        let said = said(|| at(1.0 - random.random::<f64>()), at(0.002), 0.002);
-        assert!(said > 0.4 && said < 1.1, "{said}");
+        let estimated = estimated(|| at(1.0 - random.random::<f64>()), at(0.002), 0.002);
+        assert!(estimated > 0.4 && estimated < 1.1, "{estimated}");
     }
 }

@@ -29,13 +29,13 @@ impl Regression<'_> {
     /// columns of each and their products with its residual.
     pub(crate) fn scores(
         &self,
-        (rank_beside, rss): (usize, f64),
+        (rank_of_fit, rss): (usize, f64),
         among: CandidateSubset,
         factor: impl Fn(&Candidate) -> (Vec<f64>, usize),
         pulls: &[f64],
     ) -> Vec<Score> {
         let m = self.m();
-        let freedom = m - rank_beside as f64;
+        let freedom = m - rank_of_fit as f64;
         let total = self.rounded(rss);
         let mut scores = Vec::new();
         let mut tests: Vec<Option<Rc<Significance>>> = Vec::new();

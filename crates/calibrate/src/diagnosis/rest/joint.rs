@@ -88,16 +88,16 @@ pub(crate) fn repeating<'a>(
     let by_runs = Folds::runs(&fitted.columns).and_then(held_out);
     let gains = |own: &&([f64; 2], Folds)| own.0[1] < own.0[0];
     // Between targets that are too far apart no curve predicts, and yet at them the axis may repeat.
-    let said = by_values.as_ref().filter(gains);
-    let said = said.or(by_runs.as_ref().filter(gains));
+    let predicting = by_values.as_ref().filter(gains);
+    let predicting = predicting.or(by_runs.as_ref().filter(gains));
     let seen = |own: &Option<([f64; 2], Folds)>| own.is_some();
     let denied = by_runs.as_ref().is_some_and(|own| !gains(&own));
     let doubted =
         fitted.ln_odds() < odds::BEYOND_DOUBT.nats() || !(seen(&by_values) || seen(&by_runs));
-    if denied || said.is_none() && doubted {
+    if denied || predicting.is_none() && doubted {
         return None;
     }
-    let ([before, after], folds) = said.or(by_values.as_ref())?;
+    let ([before, after], folds) = predicting.or(by_values.as_ref())?;
     let curve = fitted.curve()?;
     let identified = Columns::new(&problem, base, joint, is_base);
     let term = Term::unexplained(joint, curve);

@@ -83,10 +83,10 @@ fn likeliest(prepared: &PreparedSearch, mut fit: Fit) -> Fit {
             return fit;
         }
         let above = |r: &Rival| r.other_names() && final_set::is_likelier(&r.fit, &fit);
-        let stands = |r: &Rival| {
-            let said = final_set::reportable(prepared, r.fit.clone())?;
-            let fits = regression.added(&said).len() <= prepared.cap();
-            (fits && final_set::is_likelier(&said, &fit)).then_some(said)
+        let still_likelier = |r: &Rival| {
+            let reported = final_set::reportable(prepared, r.fit.clone())?;
+            let fits = regression.added(&reported).len() <= prepared.cap();
+            (fits && final_set::is_likelier(&reported, &fit)).then_some(reported)
         };
         let rivals = aliases::rivals(regression, &fit).into_iter();
         let goes_on = |_: &Rival| !regression.work.is_spent();
@@ -94,7 +94,7 @@ fn likeliest(prepared: &PreparedSearch, mut fit: Fit) -> Fit {
             .filter(above)
             .take(budget::LISTED)
             .take_while(goes_on);
-        let Some(likelier) = rivals.find_map(|r| stands(&r)) else {
+        let Some(likelier) = rivals.find_map(|r| still_likelier(&r)) else {
             return fit;
         };
         fit = likelier;

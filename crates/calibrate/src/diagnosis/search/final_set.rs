@@ -173,7 +173,7 @@ mod tests {
     use crate::diagnosis::tests::eccentric;
 
     /// What is reported of a search that would have ended with this set of names.
-    fn said_of(names: &[&str]) -> Vec<&'static str> {
+    fn reported_of(names: &[&str]) -> Vec<&'static str> {
         let session = eccentric(15, 0.03);
         let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
@@ -193,18 +193,21 @@ mod tests {
 
     #[test]
     fn a_name_gives_way_to_a_likelier_one() {
-        assert_eq!(said_of(&["encoder-two-cycle"]), ["encoder-eccentricity"]);
+        assert_eq!(
+            reported_of(&["encoder-two-cycle"]),
+            ["encoder-eccentricity"]
+        );
     }
 
     #[test]
     fn a_name_with_which_unseen_samples_are_predicted_no_better_is_not_said() {
         let names = ["encoder-eccentricity", "encoder-two-cycle"];
-        assert_eq!(said_of(&names), ["encoder-eccentricity"]);
+        assert_eq!(reported_of(&names), ["encoder-eccentricity"]);
     }
 
     #[test]
     fn what_is_right_stays() {
         let names = ["encoder-eccentricity"];
-        assert_eq!(said_of(&names), names);
+        assert_eq!(reported_of(&names), names);
     }
 }

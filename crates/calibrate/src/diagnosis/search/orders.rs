@@ -189,7 +189,7 @@ pub(crate) struct OrderSpread {
     orders: Vec<Term>,
     /// V, and `J⁺D V (J⁺D)ᵀ` of the model's coefficients.
     variance: DMatrix<f64>,
-    carried: DMatrix<f64>,
+    contribution: DMatrix<f64>,
 }
 
 impl OrderSpread {
@@ -229,7 +229,7 @@ impl OrderSpread {
         let share = rows.count() as f64 / problem.rows().max(1) as f64;
         let variance = free.tr_mul(&free).cholesky()?.inverse() * share;
         Some(Self {
-            carried: &along * &variance * along.transpose(),
+            contribution: &along * &variance * along.transpose(),
             variance,
             orders,
         })
@@ -237,10 +237,10 @@ impl OrderSpread {
 
     /// Adds the uncertainty of the orders to a covariance of the coefficients, which may be followed by others.
     pub(crate) fn add_to(&self, covariance: &mut DMatrix<f64>) {
-        let own = self.carried.nrows();
+        let own = self.contribution.nrows();
         if covariance.nrows() >= own {
             let mut block = covariance.view_mut((0, 0), (own, own));
-            block += &self.carried;
+            block += &self.contribution;
         }
     }
 

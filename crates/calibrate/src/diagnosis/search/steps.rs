@@ -53,12 +53,12 @@ pub(crate) fn steps(prepared: &PreparedSearch, base: &Fit, fit: &Fit) -> Vec<Ste
         let best = fits.max_by(|a, b| a.1.ln_evidence.total_cmp(&b.1.ln_evidence));
         let Some((index, next)) = best else { break };
         let seen = unseen_of(&next);
-        let says = prepared.folds.predict_poses;
+        let enough = prepared.folds.predict_poses;
         steps.push(Step {
             term: remaining.remove(index),
             gap_mm: [gap(&now), gap(&next)],
-            held_out_mm: says.then_some([unseen.0, seen.0]),
-            held_out: says.then_some([unseen.1, seen.1]),
+            held_out_mm: enough.then_some([unseen.0, seen.0]),
+            held_out: enough.then_some([unseen.1, seen.1]),
         });
         (now, unseen) = (next, seen);
     }

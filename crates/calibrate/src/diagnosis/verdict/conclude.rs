@@ -206,11 +206,11 @@ fn report_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Ses
         .iter()
         .map(|term| term.name_on(&session.robot))
         .collect();
-    let says = text!(
+    let clause = text!(
         "the RMS error of the samples, fitted or cross-validated, is no smaller with {effects}, or what it does runs away over the joint ranges: not handed out",
         effects = Text::listed(names.iter().map(|name| called(name)), ", ")
     );
-    unexplained.description = behind(says, std::mem::take(&mut unexplained.description));
+    unexplained.description = behind(clause, std::mem::take(&mut unexplained.description));
     unexplained.present = true;
     unexplained.p = unexplained.p.min(odds::TAKEN.chance());
     unexplained.resembles.extend(names);

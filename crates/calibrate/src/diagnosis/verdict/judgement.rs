@@ -139,8 +139,8 @@ fn wanders(values: &Values, names: usize, floor: &Floor) -> Option<Text> {
 }
 
 /// The verdict: whether no name is found, and whether something is unexplained.
-pub(crate) fn of(nothing_found: bool, something_left: bool) -> Verdict {
-    match (nothing_found, something_left) {
+pub(crate) fn of(nothing_found: bool, something_unexplained: bool) -> Verdict {
+    match (nothing_found, something_unexplained) {
         (true, false) => Verdict::Noise,
         (false, false) => Verdict::Explained,
         (false, true) => Verdict::PartlyExplained,
@@ -302,8 +302,8 @@ fn unseen(
     let axes = prepared.regression.rows.axes.len() as f64;
     let (_, freedom, kurtosis) = values.white();
     let m = freedom + values.rank();
-    let carried = (m + values.rank()) / m.max(1.0);
-    let ratio2 = (gaps.end_mm / floor.mm).powi(2) / carried;
+    let factor = (m + values.rank()) / m.max(1.0);
+    let ratio2 = (gaps.end_mm / floor.mm).powi(2) / factor;
     let count = (held_out.samples as f64 * axes).min(m);
     let known_from = match floor.from {
         FloorFrom::Repeats => pure_error(prepared)?.freedom,

@@ -38,8 +38,8 @@ pub(crate) fn of(prepared: &PreparedSearch, fit: &Fit, procedure: Procedure) -> 
         Procedure::WithShapes => folds.rms_mm_of_the_model(regression, fit),
         Procedure::Identify | Procedure::Names => folds.rms_mm(regression, fit),
     };
-    let says = prepared.folds.are_enough();
-    says.then(|| prepared.unseen_mm(fit, of_folds))
+    let enough = prepared.folds.are_enough();
+    enough.then(|| prepared.unseen_mm(fit, of_folds))
 }
 
 /// The same of a finished model, where the session holds samples out that no fit has seen.

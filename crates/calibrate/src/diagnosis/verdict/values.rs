@@ -333,14 +333,14 @@ impl<'a> Values<'a> {
         let Some(own) = own else {
             return self;
         };
-        let anew = parameters_of(&self.problem, &own.solution, own.covariance.as_ref());
+        let refitted = parameters_of(&self.problem, &own.solution, own.covariance.as_ref());
         self.estimates
             .resize(own.solution.model.terms().len(), Vec::new());
-        for ((term, anew), estimates) in
-            (own.solution.model.terms().iter().zip(anew)).zip(&mut self.estimates)
+        for ((term, refitted), estimates) in
+            (own.solution.model.terms().iter().zip(refitted)).zip(&mut self.estimates)
         {
             if base_model::belongs(term.effect.about().id) {
-                *estimates = anew;
+                *estimates = refitted;
             }
         }
         self.model = own.solution.model.clone();

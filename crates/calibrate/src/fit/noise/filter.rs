@@ -122,13 +122,13 @@ pub(super) fn steps(times: &[f64], tau: f64, sigma: f64, rms: f64) -> Vec<Step> 
 impl Step {
     /// The next step; `variance` is that of the state, before and after.
     #[inline]
-    pub(crate) fn after(carry: f64, sigma: f64, rms: f64, variance: &mut f64) -> Self {
+    pub(crate) fn after(decay: f64, sigma: f64, rms: f64, variance: &mut f64) -> Self {
         let (s2, white) = (rms * rms, sigma * sigma);
-        let predicted = carry * carry * *variance + s2 * (1.0 - carry * carry);
+        let predicted = decay * decay * *variance + s2 * (1.0 - decay * decay);
         let spread = predicted + white;
         *variance = predicted * white / spread;
         Self {
-            decay: carry,
+            decay,
             gain: predicted / spread,
             inverse_spread: 1.0 / spread.sqrt(),
         }

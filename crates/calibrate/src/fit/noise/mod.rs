@@ -164,15 +164,15 @@ impl Noise {
             {
                 // What wanders is the same in the rows of a pose as well.
                 let sigma = noise.sigma_mm;
-                let beside = NoiseShape {
+                let shape = NoiseShape {
                     tau,
                     ratio,
                     sigma,
                     joints_rad: 0.0,
                 };
-                let alone = restricted.likelihood(beside);
+                let alone = restricted.likelihood(shape);
                 let Some((joints_rad, likelihood)) =
-                    noise.unrepeated(&restricted, beside, alone, least_mm)
+                    noise.unrepeated(&restricted, shape, alone, least_mm)
                 else {
                     return Self::likeliest(
                         stated,
@@ -227,11 +227,11 @@ impl Noise {
         let unit = self.total_mm(&restricted.axes) / restricted.lever_mm()?;
         let at = |ratio: f64| {
             let joints_rad = unit * ratio.sqrt();
-            let beside = NoiseShape {
+            let shape = NoiseShape {
                 joints_rad,
                 ..shape
             };
-            let (likelihood, scale) = restricted.likelihood_and_scale(beside);
+            let (likelihood, scale) = restricted.likelihood_and_scale(shape);
             let possible = scale * self.total_mm(&restricted.axes) >= least_mm;
             (
                 ratio,

@@ -123,7 +123,7 @@ struct Search<'a> {
     /// The setup of each row, and how many there are.
     setup: Vec<usize>,
     setups: usize,
-    as_it_stands: Seen,
+    uncorrected: Seen,
 }
 
 impl<'a> Search<'a> {
@@ -134,7 +134,7 @@ impl<'a> Search<'a> {
         Self {
             setup: (0..rows.len()).map(setup).collect(),
             setups: Group::Setup.count(&few).max(1),
-            as_it_stands: Seen::of(&few, values, &[]),
+            uncorrected: Seen::of(&few, values, &[]),
             session,
             values,
             changes,
@@ -143,9 +143,9 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn as_it_stands_mm(&self) -> Vec<f64> {
+    fn uncorrected_mm(&self) -> Vec<f64> {
         let none = vec![false; self.rows.len()];
-        self.lengths(&self.as_it_stands, &none, false).0
+        self.lengths(&self.uncorrected, &none, false).0
     }
 
     fn gross_mm(&self) -> f64 {
@@ -158,7 +158,7 @@ impl<'a> Search<'a> {
 
     /// Whether points are far from the nominal robot.
     fn is_gross(&self) -> bool {
-        let lengths = self.as_it_stands_mm();
+        let lengths = self.uncorrected_mm();
         let wrong = lengths.iter().filter(|length| **length > self.gross_mm());
         lengths.len() >= FEWEST_ROWS && wrong.count() >= FEWEST_IN_A_PART
     }
@@ -171,7 +171,7 @@ impl<'a> Search<'a> {
             if mask[k] {
                 seen.pairs[k]
             } else {
-                self.as_it_stands.pairs[k]
+                self.uncorrected.pairs[k]
             }
         };
         let of_frame = |of: usize| {
@@ -245,27 +245,27 @@ impl<'a> Search<'a> {
         let seen = self.seen(trial.change);
         let own = self.is_frame(trial.change);
         // Two stretches may each ask for the other.
-        let mut looked_at = Vec::new();
+        let mut tried_stretches = Vec::new();
         let (mask, after, before) = loop {
             let mask = self.rows.mask(self.session, trial.part);
             let (lengths, motions) = self.lengths(&seen, &mask, own);
             let far = |motion: Option<Isometry3<f64>>, pair: &Pair| Some(distance(&motion?, pair));
             let of_row = |k: usize| {
                 let there = self.setup[k] + if own { self.setups } else { 0 };
-                let stands = far(motions[self.setup[k]], &self.as_it_stands.pairs[k])?;
-                Some((stands, far(motions[there], &seen.pairs[k])?))
+                let uncorrected = far(motions[self.setup[k]], &self.uncorrected.pairs[k])?;
+                Some((uncorrected, far(motions[there], &seen.pairs[k])?))
             };
             let both: Vec<(f64, f64)> = (0..mask.len()).map(of_row).collect::<Option<_>>()?;
             let Part::Stretch(first, end) = trial.part else {
                 break (mask, lengths, both);
             };
-            if looked_at.contains(&(first, end)) {
+            if tried_stretches.contains(&(first, end)) {
                 break (mask, lengths, both);
             }
-            looked_at.push((first, end));
+            tried_stretches.push((first, end));
             let (sigma, _) = cost(&lengths);
-            let gain = both.iter().map(|(stands, then)| {
-                cost_of(*stands, sigma) - cost_of(*then, sigma) + seen.ln_volume
+            let gain = both.iter().map(|(uncorrected, then)| {
+                cost_of(*uncorrected, sigma) - cost_of(*then, sigma) + seen.ln_volume
             });
             let (first, end) = likeliest_stretch(gain);
             if end - first < FEWEST_IN_A_PART || end - first == mask.len() {
@@ -274,14 +274,14 @@ impl<'a> Search<'a> {
             trial.part = Part::Stretch(first, end);
         };
         // Rows that the change does not move have no information on it, in the part or elsewhere.
-        let (of_part, of_change) = (&self.as_it_stands.pairs, &seen.pairs);
+        let (of_part, of_change) = (&self.uncorrected.pairs, &seen.pairs);
         let moved: Vec<bool> = (0..mask.len())
             .map(|k| mask[k] && (own || of_part[k] != of_change[k]))
             .collect();
         let corrected = typical(&moved, true, |k| after[k])?;
         let others = typical(&moved, false, |k| after[k]).unwrap_or(corrected);
-        let stood = typical(&moved, true, |k| before[k].0)?;
-        let alike = corrected <= ALIKE * others && stood >= ALIKE * corrected;
+        let earlier = typical(&moved, true, |k| before[k].0)?;
+        let alike = corrected <= ALIKE * others && earlier >= ALIKE * corrected;
         trial.cost = self.cost(trial.change, &seen, trial.part);
         (alike && corrected.max(others) < self.plausible_mm()).then_some(trial)
     }
@@ -302,7 +302,7 @@ impl<'a> Search<'a> {
         let change = &self.changes[trial.change];
         let rows = self.rows.ranges(self.session, trial.part);
         Some(Candidate {
-            what: self.rows.said(self.session, trial.part, &change.what),
+            what: self.rows.described(self.session, trial.part, &change.what),
             proposal: text!(
                 "{proposal}; these samples are corrected, and commands that go out are not",
                 proposal = &change.proposal
@@ -326,14 +326,14 @@ impl<'a> Search<'a> {
                 .rows
                 .mask(self.session, Part::Group(Group::Target, *target));
             let inside = mask.iter().filter(|own| **own).count();
-            let (lengths, motions) = self.lengths(&self.as_it_stands, &mask, true);
-            let stands = |k: usize| {
+            let (lengths, motions) = self.lengths(&self.uncorrected, &mask, true);
+            let uncorrected = |k: usize| {
                 let motion = motions[self.setup[k]];
-                motion.map_or(f64::INFINITY, |m| distance(&m, &self.as_it_stands.pairs[k]))
+                motion.map_or(f64::INFINITY, |m| distance(&m, &self.uncorrected.pairs[k]))
             };
             let [others, own] = [
                 typical(&mask, false, |k| lengths[k]),
-                typical(&mask, true, stands),
+                typical(&mask, true, uncorrected),
             ]
             .map(|mm| mm.unwrap_or(f64::INFINITY));
             inside.min(mask.len() - inside) >= 2 * FEWEST_IN_A_PART
@@ -363,11 +363,11 @@ impl<'a> Search<'a> {
 
     /// The likeliest, if it is likely enough.
     fn best(&self, exact: &Search) -> Option<Vec<DataProblem>> {
-        let before = cost(&self.as_it_stands_mm()).1;
+        let before = cost(&self.uncorrected_mm()).1;
         let likely = self.tried().into_iter();
         let likely = likely.take_while(|trial| before - trial.cost > EVIDENCE);
         // Settled in all the rows, where costs are others.
-        let before = cost(&exact.as_it_stands_mm()).1;
+        let before = cost(&exact.uncorrected_mm()).1;
         let settled = likely.take(2 * MOST_FITTED).filter_map(|trial| {
             let part = exact.translated(&self.rows, trial.part);
             exact.settled(Trial { part, ..trial })
@@ -437,7 +437,7 @@ impl<'a> Search<'a> {
         let main = DataProblem {
             samples: rows.collect(),
             ..DataProblem::of_all(
-                Change::said_with(main.what, &twins),
+                Change::with_equivalents(main.what, &twins),
                 evidence,
                 main.proposal,
                 main.correction,
@@ -464,7 +464,7 @@ fn in_rows(rows: &[(usize, usize)], by: &SessionCorrection) -> SessionCorrection
 
 pub(super) fn corrected_in_numbers(before_mm: f64, after_mm: f64) -> Text {
     text!(
-        "the base model leaves {before} as it stands and {after} with these samples corrected; more than 1000 times likelier",
+        "the base model leaves {before} as it uncorrected and {after} with these samples corrected; more than 1000 times likelier",
         before = length(before_mm, 3),
         after = length(after_mm, 3)
     )

@@ -187,13 +187,13 @@ mod tests {
                 .sum();
             0.02 * (sum - 6.0)
         };
-        let told: Vec<f64> = (0..4 * poses).map(|i| at(i / 4, i % 4)).collect();
-        let went: Vec<f64> = told.iter().map(|q| q + error()).collect();
+        let commanded: Vec<f64> = (0..4 * poses).map(|i| at(i / 4, i % 4)).collect();
+        let went: Vec<f64> = commanded.iter().map(|q| q + error()).collect();
         let targets = r#""A":[0,0,60],"B":[40,50,20],"C":[-45,30,-15]"#;
         let mut session = arm_at(went.chunks(4), targets);
         for (joint, q) in session.samples.q.iter_mut().enumerate() {
             for (i, q) in q.iter_mut().enumerate() {
-                *q = told[4 * (i / 3) + joint].to_radians();
+                *q = commanded[4 * (i / 3) + joint].to_radians();
             }
         }
         session

@@ -105,15 +105,15 @@ impl Search<'_> {
         if trials.first().is_some_and(|first| first.rows_are_right) {
             return None;
         }
-        let as_it_is = self.fitted(Path::default())?;
-        let hidden_mm = HIDDEN_SHARE * as_it_is.sigma_mm;
-        if points.len() > FEWEST_HIDDEN * path::far_steps(&as_it_is.predicted, hidden_mm) {
+        let uncorrected = self.fitted(Path::default())?;
+        let hidden_mm = HIDDEN_SHARE * uncorrected.sigma_mm;
+        if points.len() > FEWEST_HIDDEN * path::far_steps(&uncorrected.predicted, hidden_mm) {
             return None;
         }
         trials.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-        let beside_the_fit = path::likeliest(points, &as_it_is.predicted, as_it_is.sigma_mm);
+        let given_the_fit = path::likeliest(points, &uncorrected.predicted, uncorrected.sigma_mm);
         let mut paths: Vec<Path> = Vec::new();
-        for path in [beside_the_fit]
+        for path in [given_the_fit]
             .into_iter()
             .chain(trials.into_iter().map(|t| t.path))
         {
@@ -131,7 +131,7 @@ impl Search<'_> {
         let best = settled
             .map(|end| (cost(&end), end))
             .min_by(|a, b| a.0.total_cmp(&b.0));
-        self.problem(&as_it_is, best?.1)
+        self.problem(&uncorrected, best?.1)
     }
 
     /// The base model fitted to rows that are paired again; `None` where no row remains.
@@ -200,19 +200,19 @@ impl Search<'_> {
     }
 
     /// The message about a path that is accepted.
-    fn problem(&self, as_it_is: &Fitted, end: Fitted) -> Option<DataProblem> {
+    fn problem(&self, uncorrected: &Fitted, end: Fitted) -> Option<DataProblem> {
         let (n, size) = (self.points.len(), self.points.size_mm());
-        let stands = |sigma_mm: f64| self.cost(as_it_is, &as_it_is.path, sigma_mm);
-        let evidence = stands(end.sigma_mm) - self.cost(&end, &end.path, end.sigma_mm);
+        let cost_uncorrected = |sigma_mm: f64| self.cost(uncorrected, &uncorrected.path, sigma_mm);
+        let evidence = cost_uncorrected(end.sigma_mm) - self.cost(&end, &end.path, end.sigma_mm);
         let rows: Vec<usize> = end.path.moved(n).collect();
         let of_moved = |fit: &Fitted| self.typical(&fit.predicted, &fit.path, rows.iter().copied());
         let of_all = |fit: &Fitted| self.typical(&fit.predicted, &fit.path, 0..n);
-        let (before, after) = (of_moved(as_it_is)?, of_moved(&end)?);
+        let (before, after) = (of_moved(uncorrected)?, of_moved(&end)?);
         let gross = end.path.changes.len() > 1 || end.path.changes[0].0 > 0;
         let believed = evidence > EVIDENCE
             && after < CORRECTED_SHARE * before
             && of_all(&end)? < PLAUSIBLE_SHARE * size
-            && (gross || of_all(as_it_is)? > GROSS_SHARE * size);
+            && (gross || of_all(uncorrected)? > GROSS_SHARE * size);
         if !believed {
             return None;
         }

@@ -166,15 +166,15 @@ impl Path {
     /// What happened, for a person.
     pub(super) fn in_words(&self) -> Text {
         let mut before = 0;
-        let mut said = Text::default();
+        let mut text = Text::default();
         for (first, by) in &self.changes {
             let (lost, row) = (before - by, first + 1);
             let count = lost.unsigned_abs();
-            if !said.is_empty() {
-                said += Text::verbatim("; ");
+            if !text.is_empty() {
+                text += Text::verbatim("; ");
             }
             let away = by.unsigned_abs();
-            said += match (first, lost, count) {
+            text += match (first, lost, count) {
                 (0, ..) if *by == -1 => text!("all points belong to the command one row below"),
                 (0, ..) if *by == 1 => text!("all points belong to the command one row above"),
                 (0, ..) if *by < 0 => text!(
@@ -192,7 +192,7 @@ impl Path {
             };
             before = *by;
         }
-        said
+        text
     }
 }
 

@@ -100,9 +100,9 @@ impl Kind for Bearing {
             return residual;
         };
         let omega = [seen.place[0], seen.place[1], seen.place[2]];
-        let stands = [seen.place[3], seen.place[4], seen.place[5]];
+        let station = [seen.place[3], seen.place[4], seen.place[5]];
         let into = transposed(rotation(omega));
-        let arm = minus(seen.point, stands);
+        let arm = minus(seen.point, station);
         let (off, by) = angles::residual_of(measured, times(into, arm));
         let out = transposed(into);
         let spins = by_attitude(omega, into, arm);

@@ -297,9 +297,9 @@ impl Stretch {
         };
         let mut steps = vec![sets];
         steps.extend(times[samples].iter().map(|time| {
-            let carry = decayed(*time - before, tau);
+            let decay = decayed(*time - before, tau);
             before = *time;
-            Step::after(carry, sigma, rms, &mut variance)
+            Step::after(decay, sigma, rms, &mut variance)
         }));
         steps.push(Step {
             decay: 1.0,
