@@ -464,7 +464,7 @@ fn in_rows(rows: &[(usize, usize)], by: &SessionCorrection) -> SessionCorrection
 
 pub(super) fn corrected_in_numbers(before_mm: f64, after_mm: f64) -> Text {
     text!(
-        "the base model leaves {before} as it uncorrected and {after} with these samples corrected; more than 1000 times likelier",
+        "the base model leaves {before} as it stands and {after} with these samples corrected; more than 1000 times likelier",
         before = length(before_mm, 3),
         after = length(after_mm, 3)
     )
