@@ -1,4 +1,4 @@
-//! What the standard library lacks for numbers.
+//! Small functions on numbers that the standard library lacks.
 
 use std::borrow::Borrow;
 

@@ -1,4 +1,4 @@
-//! How a joint moves.
+//! The kinds of joints: revolute and prismatic.
 
 use crate::units::{deg_from_rad, rad_from_deg};
 

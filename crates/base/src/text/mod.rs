@@ -1,4 +1,4 @@
-//! What a person reads: sentences as values, and the languages they are spoken in.
+//! Text for people: sentences as values, and their languages.
 //!
 //! The English sentence is written where it is used, and is the key of the catalogues of the other languages
 //! (`assets/languages/*.po`, as in gettext): English has no table, and what a catalogue lacks appears in English.

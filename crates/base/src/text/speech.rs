@@ -177,7 +177,7 @@ pub fn phrases_in(context: &str) -> impl Iterator<Item = &'static str> {
     catalogue(Language::German).in_context(context)
 }
 
-/// How much wider than in English what stands in one row may be, at most.
+/// The largest width of the texts of one row, relative to English.
 #[doc(hidden)]
 pub fn stretch() -> f32 {
     match current() {

@@ -33,7 +33,7 @@ impl VerifiedCalibration {
     }
 }
 
-/// How far the robot reaches with what it carries, or how far it slides, mm.
+/// The reach of the robot with its tool, or its travel, mm.
 fn size_mm(calibration: &Calibration) -> f64 {
     let robot = &calibration.model.robot;
     let target = calibration

@@ -1,4 +1,4 @@
-//! From a model to the commands that make the real robot go where the nominal one would.
+//! Compensation: from a model to the commands that make the real robot go where the nominal one would.
 //!
 //! For a pose q the joints are commanded q + c instead, with c such that
 //!

@@ -1,4 +1,4 @@
-//! How well how many poses determine the geometry of a robot with several joints.
+//! How well a number of poses determines the geometry of a robot with several joints.
 
 use super::arm::Arm;
 use super::candidate::Candidate;

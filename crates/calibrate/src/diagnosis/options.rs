@@ -5,7 +5,7 @@ use crate::effects::JointValues;
 use super::DiagnoseError;
 use super::candidates::table::Allowed;
 
-/// What to look for, and how.
+/// The options of a diagnosis.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
     /// Names that may be used.

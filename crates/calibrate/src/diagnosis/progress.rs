@@ -1,6 +1,6 @@
 //! The progress of a diagnosis, and its cancellation.
 
-/// How far the diagnosis is.
+/// The progress of the diagnosis.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Progress {
     /// Looking for set-up errors.

@@ -202,7 +202,7 @@ fn noise_variance(session: &Session, samples: &[Sample]) -> f64 {
         .powi(2)
 }
 
-/// What neighbours differ by, as the standard deviation of a coordinate, mm.
+/// The noise from the differences of neighbours, as the standard deviation of a coordinate, mm.
 fn seen_noise(samples: &[Sample]) -> f64 {
     let pairs = samples.windows(2);
     let mut steps: Vec<f64> = pairs

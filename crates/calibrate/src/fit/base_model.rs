@@ -177,7 +177,7 @@ fn targets(session: &Session, problem: &Problem) -> Vec<Term> {
 pub struct Fitted {
     /// The solution.
     pub solution: Solution,
-    /// What is held at zero.
+    /// The parameters that are held at zero.
     pub held: Vec<NotIdentifiable>,
     /// Other notes.
     pub notes: Vec<Text>,

@@ -70,7 +70,7 @@ pub(super) struct Fresh<'a> {
     pub(super) fitted: Solution,
     /// The robot without the terms.
     nominal: Model,
-    /// What was asked for and cannot be fitted.
+    /// Effects that were asked for and cannot be fitted.
     pub(super) not_identifiable: Vec<NotIdentifiable>,
     /// Other notes.
     notes: Vec<Text>,
@@ -160,7 +160,7 @@ impl<'a> Fresh<'a> {
     }
 }
 
-/// What a fit begins with.
+/// The start of a fit.
 pub(super) struct FitStart<'a> {
     /// The samples.
     pub(super) problem: Problem<'a>,
@@ -168,7 +168,7 @@ pub(super) struct FitStart<'a> {
     pub(super) start: Model,
     /// The robot without them.
     pub(super) nominal: Model,
-    /// What was asked for and cannot be fitted.
+    /// Effects that were asked for and cannot be fitted.
     pub(super) not_identifiable: Vec<NotIdentifiable>,
     base: BaseModel,
 }

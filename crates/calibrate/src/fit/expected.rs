@@ -94,7 +94,8 @@ pub fn uncertainties_mm(
     Some(all)
 }
 
-/// What the combinations that the samples do not show may move every pose by, mm; of a robot with several joints.
+/// The possible moves of every pose by the combinations that the samples do not determine, mm; of a robot with several
+/// joints.
 pub(crate) fn unseen_mm(problem: &Problem, model: &Model, inputs: &Inputs) -> Vec<f64> {
     moved_by(&Unseen::of(problem, model), problem, inputs)
 }

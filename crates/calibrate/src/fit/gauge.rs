@@ -232,7 +232,7 @@ pub(super) fn columns(problem: &Problem, model: &Model) -> DMatrix<f64> {
     rows
 }
 
-/// What the session states of its targets' places, as rows of their own.
+/// The stated places of the targets, as separate rows.
 fn add_targets(problem: &Problem, model: &Model, rows: &mut DMatrix<f64>) {
     let Some(sigma) = problem.priors.targets_mm else {
         return;

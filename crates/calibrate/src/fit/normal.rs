@@ -194,7 +194,7 @@ pub(super) struct Whitening {
     /// The last step of each axis, with its decay and the variance behind it.
     last: [LastStep; 3],
     counts: [bool; LANES],
-    /// What went through the filter last, the residual last.
+    /// The last block after the filter, the residual last.
     white: Vec<Lanes>,
 }
 

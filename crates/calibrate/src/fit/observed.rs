@@ -64,7 +64,7 @@ pub(crate) fn nominal_of(session: &Session, layer: Option<&Layer>, model: &Model
     model.without(|term| PlaceKind::of(term).is_none() && !of_setup(term))
 }
 
-/// What the kinds of measurement do not determine whatever the poses are; nothing for plain points.
+/// Combinations that the kinds of measurement do not determine whatever the poses are; none for plain points.
 pub(super) fn open(problem: &Problem) -> Open {
     problem
         .observed

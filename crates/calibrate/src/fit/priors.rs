@@ -33,11 +33,11 @@ pub struct Priors {
     pub targets_mm: Option<f64>,
     /// Variance of a coordinate of weight one.
     pub variance: f64,
-    /// How much narrower the weak ones are of this robot's zero offsets, of its links, and of what was set up (tool,
-    /// frame), as logarithms ([`super::prior_scale`]).
+    /// The factors by which the weak ones of this robot's zero offsets, of its links, and of its set-up (tool, frame)
+    /// are narrower, as logarithms ([`super::prior_scale`]).
     pub(super) ln_scale: [f64; 3],
-    /// How large everything is, where no measurement shows it: a sum of coefficients that is held at
-    /// zero ([`crate::observations::gauge`]).
+    /// The size of everything, where no measurement shows it: a sum of coefficients that is held at zero
+    /// ([`crate::observations::gauge`]).
     pub(super) size: Vec<(Key, f64)>,
     /// Those that were let go: effect, joint, setting, coefficient.
     pub(super) freed: Vec<Key>,
@@ -78,7 +78,7 @@ impl Priors {
         })
     }
 
-    /// How many of a model's coefficients have a prior of this robot's own width.
+    /// The number of a model's coefficients with a prior of this robot's own width.
     pub(super) fn of_its_own(&self, model: &Model) -> usize {
         let is_own = |(term, k): &(&Term, usize)| {
             let own = group(term);
@@ -140,8 +140,8 @@ impl Priors {
         row
     }
 
-    /// How far each coefficient of a model is from zero as a rule, whether or not the weak priors
-    /// hold; of a frame only where it is `aligned`.
+    /// The usual size of each coefficient of a model, whether or not the weak priors hold; of a frame only where it is
+    /// `aligned`.
     pub(super) fn usual(&self, model: &Model, aligned: bool) -> Vec<Option<f64>> {
         let all = Self {
             weak: true,

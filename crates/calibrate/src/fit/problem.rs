@@ -40,11 +40,11 @@ pub struct Problem<'a> {
     has_clock: bool,
     /// Whether the rows of the file are not in the order of that clock.
     out_of_time_order: bool,
-    /// What the digits of the coordinates add to the noise of each axis, mm: d/√12.
+    /// The noise of each axis by the rounding of the coordinates, mm: d/√12.
     pub(super) digits_mm: [f64; 3],
     /// The noise, where it is known; its white part is in `axis_weights` as well.
     pub noise: Option<Noise>,
-    /// How samples move with the joints, where the noise has what these do not repeat.
+    /// The derivatives of samples with respect to the joints, where the noise includes their repeatability.
     pub(super) levers: Option<Arc<Levers>>,
     /// The priors of the coefficients; none for a robot with a single joint.
     pub priors: Priors,
@@ -196,7 +196,7 @@ impl<'a> Problem<'a> {
         problem
     }
 
-    /// What counts one by one: every sample of plain points, else every observation.
+    /// The units that count: every sample of plain points, else every observation.
     pub fn counted(&self) -> &[bool] {
         self.observed.as_ref().map_or(&self.used, |l| &l.used)
     }

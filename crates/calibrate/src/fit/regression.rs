@@ -33,13 +33,13 @@ pub struct Rows<'a> {
     /// Standard deviation of what rounding to the digit of each coordinate adds, mm.
     pub digits_mm: [f64; 3],
     measured_mm: Vec<Vec<f64>>,
-    /// How rows move with the joints, where a model has shown it.
+    /// The derivatives of rows with respect to the joints, where a model has been evaluated.
     moves: Option<Arc<Moves>>,
     observed: Option<ObservedRows<'a>>,
 }
 
 impl<'a> Rows<'a> {
-    /// What counts of a problem.
+    /// The rows of a problem that count.
     pub fn of(problem: &Problem<'a>) -> Self {
         if let Some(layer) = &problem.observed {
             let samples: Vec<usize> = (0..layer.used.len()).filter(|i| layer.used[*i]).collect();
@@ -277,7 +277,7 @@ impl<'a> Rows<'a> {
         (0..self.samples.len()).map(|i| predicted.get(i)).collect()
     }
 
-    /// What the rows show of targets that are elsewhere, each by so many mm along x, y, z.
+    /// The change of the rows by displaced targets, each by so many mm along x, y, z.
     pub fn displaced(&self, model: &Model, by: impl Fn(usize) -> [f64; 3]) -> DVector<f64> {
         match &self.observed {
             Some(rows) => rows.displaced(model, by),

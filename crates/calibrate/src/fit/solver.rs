@@ -159,7 +159,7 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
     (solution, model)
 }
 
-/// Where the solver is.
+/// The state of the solver.
 #[derive(Debug, Clone)]
 struct State {
     model: Model,
@@ -295,13 +295,13 @@ fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
     Spectrum::of_model(&normal.gram, &state.model).within(&reaches, least)
 }
 
-/// What solves for the steps from a state.
+/// The factorisation for the steps from a state.
 fn steps_at(problem: &Problem, normal: &Normal, state: &State) -> StepSolver {
     let (reaches, least) = limits_of_determinacy(problem, normal, state);
     StepSolver::of(&normal.gram, &state.model, &reaches, least)
 }
 
-/// How far it makes sense to go along each coefficient, and by how much the cost has to rise there.
+/// The plausible range of each coefficient, and by how much the cost has to rise there.
 fn limits_of_determinacy(problem: &Problem, normal: &Normal, state: &State) -> (Vec<f64>, f64) {
     let shapes = std::iter::repeat_n(f64::INFINITY, state.extra_coefficients.len());
     let reaches: Vec<f64> = state

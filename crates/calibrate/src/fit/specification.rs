@@ -111,7 +111,7 @@ mod tests {
     use crate::fit::base_model;
     use crate::fit::example::unrepeated;
 
-    /// What they are not is tested on an arm that sags (`unnamed.rs`).
+    /// The contrary is tested on an arm that sags (`unnamed.rs`).
     #[test]
     fn joints_that_do_not_repeat_are_believed() {
         for seed in 1..=6 {

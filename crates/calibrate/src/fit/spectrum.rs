@@ -23,7 +23,7 @@ pub struct Spectrum {
     vectors: DMatrix<f64>,
     /// Which eigenvectors the samples determine.
     determined: Vec<bool>,
-    /// How far it makes sense to go along each.
+    /// The plausible range of each.
     furthest: Vec<f64>,
     /// Number of coefficients that are held where they are.
     held: usize,

@@ -25,9 +25,9 @@ const MOST_NAMES: usize = 12;
 pub(crate) struct SeenTarget {
     /// At whose stated place it should be.
     pub(crate) of: usize,
-    /// Where it is in the tool, but for the shift that all share, mm.
+    /// Its place in the tool, but for the shift that all share, mm.
     pub(crate) at_mm: Vector3<f64>,
-    /// How far from its stated place it may be, mm.
+    /// The distance from its stated place that is allowed, mm.
     pub(crate) within_mm: f64,
 }
 
@@ -36,7 +36,7 @@ pub(crate) struct SeenTarget {
 pub(crate) enum Agreement {
     /// One motion of the tool explains them best.
     Settled {
-        /// Where each is in the tool as the session has it, mm.
+        /// The stated place of each in the tool, mm.
         places_mm: Vec<Vector3<f64>>,
         /// At whose stated place each is; `None`: at none.
         at: Vec<Option<usize>>,
@@ -82,7 +82,7 @@ struct Motion {
 }
 
 impl Motion {
-    /// Where a target is without it.
+    /// The place of a target without it.
     fn undone(&self, seen: &SeenTarget) -> Vector3<f64> {
         self.turn.inverse() * (seen.at_mm - self.shift_mm)
     }

@@ -16,7 +16,7 @@ pub(super) struct Unrepeated<'p> {
     /// One after the other of each column, the residual last.
     states: Vec<f64>,
     row: Vec<f64>,
-    /// What went through the filter last along each axis, the residual last.
+    /// The last block after the filter along each axis, the residual last.
     white: [Vec<Lanes>; 3],
 }
 

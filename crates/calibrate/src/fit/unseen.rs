@@ -42,7 +42,7 @@ const MOST_WORSE: f64 = 1.002;
 pub(super) struct Unseen {
     /// The model with every link, and nothing held but places.
     pub(super) model: Model,
-    /// What was held in it.
+    /// The coefficients that were held in it.
     held: Vec<bool>,
     /// One combination a column, over all coefficients.
     pub(super) combinations: Vec<DVector<f64>>,
@@ -278,7 +278,7 @@ fn followed(
     (follows && there.cost <= most).then_some(there)
 }
 
-/// Where the coefficients of a model are among those of the same with more terms.
+/// The indices of the coefficients of a model among those of the same with more terms.
 fn places(model: &Model, wider: &Model) -> Vec<usize> {
     let mut first = 0;
     let wide: Vec<(usize, &Term)> = wider

@@ -1,4 +1,4 @@
-//! Which rows a change holds for.
+//! The rows for which a change holds.
 
 use super::nearest::Nominal;
 use super::thresholds::{MOVED_MM, SAME_MM};

@@ -1,5 +1,5 @@
-//! What a session must have for an effect to be testable in it, as data: the words, the check of a
-//! session, the check of a scenario.
+//! The needs of an effect: what a session must have for it to be testable, as data: the words, the check of a session,
+//! the check of a scenario.
 //!
 //! An effect lists its needs in its [`About`](super::About); the first that a session does not meet is the reason that
 //! a person reads. Needs that several effects share are here, one of a single effect is in its file.

@@ -1,5 +1,5 @@
-//! An effect, and an effect in a model: which joint, which setting, how large. Each names the other: a term
-//! is of an effect, and what an effect can say of itself it says of a term.
+//! An effect, and a term: an effect in a model, with its joint, its setting and its size. An effect describes its
+//! terms.
 
 use super::about::{About, Form, Quantity, Setting};
 use super::block::Block;

@@ -99,8 +99,8 @@ pub struct Size {
     pub sigma: f64,
 }
 
-/// The size of a model as its coefficients make it; `sigma` says how far each may be from zero.
-/// `None` where no coefficient makes anything larger.
+/// The size of a model by its coefficients; `sigma` states the standard deviation of each from zero. `None` where no
+/// coefficient makes anything larger.
 pub fn size(layer: &Layer, model: &Model, sigma: &[Option<f64>]) -> Option<Size> {
     let count = model.coefficient_count();
     // Growth about any point, however the whole is turned and moved besides.

@@ -1,4 +1,4 @@
-//! What was measured: one layer between the model and the normal equations.
+//! Observations: the layer between the model and the normal equations, one file for each kind of measurement.
 //!
 //! The model predicts where the target is and how the tool is turned, with the derivatives of every
 //! coefficient. An observation turns that into residuals (measured − predicted) and their
@@ -11,7 +11,7 @@
 //!
 //! # How it works
 //! - [`kinds`](Kind): residual and derivatives of one observation.
-//! - `crate::effects::places`: anchors, stations, planes and sockets that are not known are fitted beside the
+//! - `crate::effects::places`: anchors, stations, planes and sockets that are not known are fitted with the
 //!   robot, and reported like everything that is fitted.
 //! - `layer`: the observations of a session, `block` by block, as rows for the normal equations;
 //!   `streams`: how they flow through the model; `follows`: how rows follow its columns.

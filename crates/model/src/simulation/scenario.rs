@@ -1,4 +1,4 @@
-//! What a scenario is, in inner units (mm, rad, s, kg, °C).
+//! The scenario of a simulation, in inner units (mm, rad, s, kg, °C).
 
 use crate::text::{Template, Text};
 use nalgebra::Point3;

@@ -20,7 +20,7 @@ use crate::side_by_side::Threads;
 /// Columns with one direction, or row by row.
 #[derive(Debug, Clone)]
 struct Group {
-    /// How every row moves; `None` where the columns are kept row by row.
+    /// The move of every row; `None` where the columns are kept row by row.
     direction: Option<DVector<f64>>,
     /// Place of the first among all columns.
     first: usize,
@@ -301,7 +301,7 @@ impl Columns {
         all
     }
 
-    /// What products with each group need of vectors: a row for each vector.
+    /// Vectors in the form that products with each group need: a row for each vector.
     pub(crate) fn of_samples(&self, filter: &Filter, z: &DMatrix<f64>) -> Vec<DMatrix<f64>> {
         let mut turned = z.rows(0, self.rows).into_owned();
         filter.whiten_transposed(turned.as_mut_slice());
@@ -347,7 +347,7 @@ impl Group {
         }
     }
 
-    /// What products with the group's values need of a row vector.
+    /// A row vector in the form that products with the group's values need.
     fn of_samples(&self, z: &[f64], samples: usize) -> Vec<f64> {
         let Some(direction) = &self.direction else {
             return z.to_vec();

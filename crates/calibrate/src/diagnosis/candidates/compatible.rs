@@ -1,4 +1,4 @@
-//! Which names may be in one model.
+//! Names that may be in one model.
 
 use crate::effects::Term;
 

@@ -20,7 +20,7 @@ use super::shapes::{Missing, shapes};
 use crate::fit::regression::Rows;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
-/// What a candidate is.
+/// The kinds of candidates.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum CandidateKind {
     /// An effect of the catalogue, absent so far.
@@ -90,13 +90,13 @@ impl Allowed {
 /// The candidates and their raw columns, mm per unit of each coefficient.
 #[derive(Debug, Clone)]
 pub(crate) struct CandidateTable {
-    /// What is tried.
+    /// The candidates.
     pub candidates: Vec<Candidate>,
     /// Columns at the base model.
     pub columns: Columns,
     /// Which columns make a rich fit, from which the noise is estimated.
     pub rich: Vec<usize>,
-    /// What cannot be tested.
+    /// The effects that cannot be tested.
     pub not_testable: Vec<NotTestable>,
     /// The geometry that shapes need, to build more of them.
     pub space: ShapeSpace,

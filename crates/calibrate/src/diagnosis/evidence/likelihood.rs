@@ -182,7 +182,7 @@ impl Regression<'_> {
         rss + rounding * self.rows.samples.len() as f64
     }
 
-    /// What an order that is not whole pays: for a number that is fitted.
+    /// The penalty of an order that is not whole: that of a number that is fitted.
     pub(crate) fn price_of_a_fraction(&self) -> f64 {
         PRICE_OF_A_SETTING + 0.5 * self.m().ln()
     }

@@ -38,7 +38,7 @@ pub(crate) struct Projections {
     pub(crate) pulls: DVector<f64>,
 }
 
-/// What a fit is without some of its columns, to first order.
+/// A fit without some of its columns, to first order.
 #[derive(Debug, Clone)]
 pub(crate) struct ReducedFit {
     /// `c`: of the fit's orthonormal columns, those that the columns alone span.

@@ -41,7 +41,7 @@ pub(crate) struct Regression<'a> {
     pub(crate) prior_rows: usize,
     /// On how many threads parts of it are done; the answer is the same.
     pub(crate) threads: Threads,
-    /// What was done so far of what may be done.
+    /// The work that was done, of its budget.
     pub(crate) work: Work,
     /// The distribution of the largest gain in noise alone, given a fit.
     pub(super) largest_in_noise: Memo<LargestInNoise>,

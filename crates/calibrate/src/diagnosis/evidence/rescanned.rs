@@ -152,8 +152,8 @@ impl<'f, 'a> Rescanned<'f, 'a> {
     }
 }
 
-/// What a term brings where its joint and its setting are chosen again without each share of the poses in turn. (Among all
-/// names of as many coefficients one that is right lost to its neighbours: of 56 stars a telescope's encoder.)
+/// The gain of a term where its joint and its setting are chosen again without each share of the poses in turn. (Among
+/// all names of as many coefficients one that is right lost to its neighbours: of 56 stars a telescope's encoder.)
 pub(crate) fn chosen_again(
     regression: &Regression,
     fit: &Fit,

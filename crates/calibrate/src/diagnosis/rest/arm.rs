@@ -1,4 +1,4 @@
-//! What repeats without a name on a robot with several joints: gravity, conditions, harmonics, smooth curves, gear
+//! Repeating errors without a name on a robot with several joints: gravity, conditions, harmonics, smooth curves, gear
 //! orders ([`families`](super::families)), each family with a strength that the samples determine, zero where it gains
 //! nothing ([`groups`](super::groups)). It is kept only where cross-validation over cells of the workspace improves by
 //! more than noise does, and so does nested cross-validation over poses.

@@ -156,8 +156,8 @@ impl<'a> Columns<'a> {
     }
 }
 
-/// How a unit of a curve over a joint moves rows in each direction, the columns of the terms that are fitted with it,
-/// and the residual.
+/// The move of rows in each direction by a unit of a curve over a joint, the columns of the terms that are fitted with
+/// it, and the residual.
 fn extracted(
     rows: &Rows,
     model: &Model,

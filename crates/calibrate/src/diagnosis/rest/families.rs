@@ -26,7 +26,7 @@ const ACROSS: usize = 3;
 /// Cosines of a smooth curve; a curve of so many bends.
 const BENDS: usize = 8;
 
-/// What a family is.
+/// The kinds of families.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum FamilyKind {
     Gravity,
@@ -201,7 +201,7 @@ impl Families {
         }
     }
 
-    /// What the samples show of each column from number `first` on at one standard deviation:
+    /// The root mean square of each column from number `first` on over the samples at one standard deviation:
     /// `directions` are the rows of a unit in each direction of each joint.
     pub(super) fn shown(
         &mut self,

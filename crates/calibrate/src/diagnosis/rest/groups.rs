@@ -33,7 +33,7 @@ pub(super) struct Remaining {
     pub(super) common: DMatrix<f64>,
 }
 
-/// What groups are under given strengths.
+/// The solution for groups of given strengths.
 pub(super) struct Solved {
     /// `I + V^½ S V^½ = R Rᵀ`.
     factor: Cholesky<f64, Dyn>,

@@ -56,9 +56,9 @@ pub(crate) struct Repeating<'a> {
     pub(crate) term: Term,
     /// Cross-validated RMS errors: of the base alone, of the model, and with the curve, mm.
     pub(crate) held_out_mm: [f64; 3],
-    /// How many those are.
+    /// The number of folds of these.
     pub(crate) samples: usize,
-    /// How they were held out.
+    /// The way in which they were held out.
     pub(crate) how: Text,
     /// The samples, with the outliers of the fit with the curve.
     pub(crate) problem: Problem<'a>,
@@ -178,7 +178,7 @@ fn use_what_returns(problem: &mut Problem, joint: usize) {
     problem.set_counted(counted);
 }
 
-/// What belongs to every calibration, and is fitted with the curve.
+/// Terms that belong to every calibration, and are fitted with the curve.
 fn is_base(term: &Term) -> bool {
     base_model::belongs(term.effect.about().id)
 }

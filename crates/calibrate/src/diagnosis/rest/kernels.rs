@@ -20,7 +20,7 @@ use crate::{odds, rounding};
 
 /// Lengths of the prior that are tried, in shares of the range (of the period).
 const LENGTHS: [f64; 6] = [1.0, 0.5, 0.25, 0.12, 0.06, 0.03];
-/// How smooth a curve is: its correlation at a distance in lengths.
+/// The smoothness of a curve: its correlation at a distance in lengths.
 const SMOOTHNESS: [fn(f64) -> f64; 4] = [
     |r| (-r).exp(),
     |r| (1.0 + r) * (-r).exp(),

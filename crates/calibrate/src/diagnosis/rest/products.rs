@@ -76,7 +76,7 @@ impl Products {
         Spectrum::new(&self.of_base()).rank()
     }
 
-    /// What the columns without a name have in common with those of the base, of which they are not orthogonal.
+    /// The projections of the columns without a name on those of the base, to which they are not orthogonal.
     pub(super) fn common(&self) -> DMatrix<f64> {
         let (n, p) = (self.base, self.gram.nrows() - self.base - 1);
         let size = |k: usize| self.gram[(k, k)].max(0.0).sqrt();

@@ -26,7 +26,7 @@ const LEAST_OF_TOLERANCE: f64 = 0.1;
 /// An effect below this is rounding, mm.
 const LEAST_MM: f64 = 2e-5;
 
-/// What may be added in a pass.
+/// The candidates that may be added in a pass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Additions {
     Names,

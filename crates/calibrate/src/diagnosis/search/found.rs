@@ -3,7 +3,7 @@
 use crate::diagnosis::evidence::Fit;
 use crate::effects::Term;
 
-/// How the search ended.
+/// The end of the search.
 pub(crate) struct SearchResult {
     /// The model with everything that is accepted.
     pub(crate) fit: Fit,

@@ -25,8 +25,8 @@ use crate::diagnosis::evidence::{EFFECT_PRIOR_PENALTY, Fit, Regression};
 use crate::diagnosis::rest::joint::free_curve;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
-/// What the curve pays: as a name for being there, and a factor of e for each of its numbers (length,
-/// size, roughness). Names are as many as they are; no further preference is needed.
+/// The penalty of the curve: that of a name, and a factor of e for each of its parameters (length, size, roughness).
+/// Names have no prior preference; no further one is needed.
 const PRICE: f64 = EFFECT_PRIOR_PENALTY + 3.0;
 /// Waves over the range from which on a name is not smooth.
 const FEW_WAVES: f64 = 3.0;
@@ -47,7 +47,7 @@ struct Curve {
     ln_odds: f64,
     /// Pieces of an equivalent polygon.
     pieces: usize,
-    /// Where it pushes most.
+    /// The direction in which it is largest.
     direction: Direction,
 }
 

@@ -184,7 +184,7 @@ fn at(term: &Term, setting: f64) -> Term {
     }
 }
 
-/// What the orders of a fitted model that are not whole are unsure of.
+/// The uncertainty of the orders of a fitted model that are not whole.
 pub(crate) struct OrderSpread {
     orders: Vec<Term>,
     /// V, and `J⁺D V (J⁺D)ᵀ` of the model's coefficients.

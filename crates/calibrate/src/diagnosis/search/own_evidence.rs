@@ -14,7 +14,7 @@ use crate::effects::Term;
 use crate::linear::Basis;
 use crate::odds;
 
-/// How much less is taken to be known of the geometry: no robot is ten times as far off as others are.
+/// The factor by which the priors of the geometry are widened: no robot is ten times as far off as others are.
 const LESS: f64 = 0.1;
 
 /// The name, of those of a fit, for which the samples themselves speak least, where they do not speak for it.

@@ -148,7 +148,7 @@ fn test_at_the_end(
     Ok(())
 }
 
-/// What was found against a slow part of the noise and a free curve: the likeliest of them.
+/// The likeliest of what was found, a slow part of the noise and a free curve.
 fn against_rivals<'a>(
     prepared: &PreparedSearch<'a>,
     mut found: SearchResult,

@@ -147,7 +147,7 @@ fn independent_rows(rows: &Rows, places: &ByPose) -> usize {
     places.samples().into_iter().map(of_pose).sum()
 }
 
-/// What was marked, by sample, and what was not acquitted.
+/// The samples, with the marked ones and those that stay marked.
 fn with(rows: &Rows, marked: Vec<bool>, condemned: &BTreeSet<usize>) -> Vec<(usize, bool)> {
     let marked = marked.into_iter().enumerate();
     let marked = marked.map(|(i, marked)| (rows.samples[i], marked || condemned.contains(&i)));

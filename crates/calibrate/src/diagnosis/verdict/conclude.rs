@@ -159,7 +159,7 @@ fn report_open_questions(
     }
 }
 
-/// What is handed out, in the form of `identify`.
+/// The model that is handed out, in the form of `identify`.
 fn identification(prepared: &PreparedSearch, fit: &Fit, own: &Values) -> Identification {
     let held = prepared.not_identifiable.clone();
     let mut identification = own.identification(&prepared.nominal, held);

@@ -39,7 +39,7 @@ pub(crate) fn runs_away(problem: &Problem, model: &Model) -> Option<[f64; 2]> {
     (most > thresholds::FAR * here.largest_mm).then_some([most, here.largest_mm])
 }
 
-/// What names do at some poses.
+/// The joint effect of names at some poses.
 struct TermDisplacements {
     /// Longest, mm.
     largest_mm: f64,

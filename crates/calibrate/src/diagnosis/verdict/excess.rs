@@ -8,7 +8,7 @@ use crate::{odds, thresholds};
 /// σ has, 3 %.
 const LEAST_EXCESS: f64 = 1.03;
 
-/// How the residuals compare with the floor.
+/// The residuals compared with the floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Excess {
     /// White noise as found over the floor.

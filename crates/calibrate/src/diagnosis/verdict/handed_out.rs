@@ -52,7 +52,7 @@ const MOST_TIMES_MEDIAN: f64 = 1.25;
 /// below this share of that with it: the others had bent it.
 const GAINS_OF_MEDIAN: f64 = 0.9;
 
-/// What is handed out.
+/// The model that is handed out.
 pub(crate) struct HandedOut<'a> {
     /// Its model, values and intervals.
     pub(crate) values: Values<'a>,
@@ -180,7 +180,7 @@ pub(crate) fn choose<'a>(
     }
 }
 
-/// What a way to values is measured against: the model of `identify`, over the same samples and folds.
+/// The reference of a way to values: the model of `identify`, over the same samples and folds.
 struct Against<'p, 'a> {
     prepared: &'p PreparedSearch<'a>,
     problem: &'p Problem<'a>,

@@ -93,7 +93,7 @@ pub(crate) fn judge(
     }
 }
 
-/// What speaks for more than noise without a larger error, and the names that only imitate it.
+/// The evidence for more than noise without a larger error, and the names that only imitate it.
 fn without_a_size(
     prepared: &PreparedSearch,
     found: &SearchResult,

@@ -18,7 +18,7 @@ use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::{aliases, other_settings};
 use crate::diagnosis::search::{exceeds_when_tested, is_likelier};
 
-/// What stays undecided, for the proposal of poses.
+/// Open pairs, for the proposal of poses.
 pub struct Undecided<'u, 'a> {
     pub(crate) prepared: &'u PreparedSearch<'a>,
     pub(crate) fit: &'u Fit,
@@ -50,7 +50,7 @@ pub(crate) type Planner<'p> = &'p dyn Fn(&Undecided) -> Proposal;
 pub(super) struct OpenQuestions {
     /// Rivals that the samples cannot rule out.
     pub(super) rivals: Vec<Rival>,
-    /// What equal steps of the commands have to do with it.
+    /// The message about equal steps of the commands.
     pub(super) equal_steps: Option<DataProblem>,
     pub(super) not_testable: Vec<NotTestable>,
 }

@@ -77,7 +77,7 @@ pub(crate) fn unexplained(
     }
 }
 
-/// Where a shape is; of a target with its name.
+/// The place of a shape; of a target with its name.
 fn place_of(shape: &Shape, range: (f64, f64), prepared: &PreparedSearch) -> Where {
     let session = prepared.problem.session;
     let slides = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
@@ -90,8 +90,7 @@ fn place_of(shape: &Shape, range: (f64, f64), prepared: &PreparedSearch) -> Wher
     place
 }
 
-/// What the shapes of a fit move beyond what its names could do in their place: root mean square length over
-/// the samples, mm.
+/// The part of the shapes of a fit that its names could not imitate: root mean square length over the samples, mm.
 fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
     let n = regression.rows.samples.len().max(1) as f64;
     if regression.noise.is_white() || regression.rows.observed().is_some() {

@@ -31,7 +31,7 @@ pub(super) struct WithRepeating {
     pub(super) come_back: Vec<usize>,
 }
 
-/// What repeats, where it predicts.
+/// The repeating curve, where it predicts.
 pub(super) fn with_repeating(
     prepared: &PreparedSearch,
     values: &Values,

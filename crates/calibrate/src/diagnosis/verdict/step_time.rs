@@ -13,7 +13,7 @@ use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::search::Worth;
 use crate::diagnosis::search::prepare::PreparedSearch;
 
-/// What lies outside on either side.
+/// The probability outside on either side.
 const TAIL: f64 = 0.025;
 
 /// Times between which the step lies with 95 %, s; `None` for an effect that is no step.

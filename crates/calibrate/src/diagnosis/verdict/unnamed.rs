@@ -1,4 +1,4 @@
-//! What has no name and predicts poses that no fit has seen.
+//! The rest that has no name and predicts poses that no fit has seen.
 //!
 //! A name is reported where it is proven; a model that is handed out contains whatever predicts. After the search, a
 //! smooth rest is fitted in addition to the geometry and the names of a robot with several joints

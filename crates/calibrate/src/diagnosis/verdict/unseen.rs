@@ -11,7 +11,7 @@ use crate::answers::diagnosis::{Gaps, HeldOut};
 use crate::diagnosis::evidence::{Fit, Folds, Regression};
 use crate::diagnosis::search::prepare::PreparedSearch;
 
-/// How a fit becomes the model that predicts.
+/// The procedure by which a fit becomes the model that predicts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Procedure {
     /// As `identify` does it.

@@ -4,7 +4,7 @@
 use super::joints::{JointFilter, decayed};
 use crate::lanes::TOGETHER;
 
-/// What one sample does in the filter of an axis.
+/// The step of the filter of an axis at one sample.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Step {
     /// The decay of the state since the sample before.

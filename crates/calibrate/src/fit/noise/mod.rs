@@ -64,8 +64,8 @@ const MOST_UNEQUAL: f64 = 10.0;
 const SHARES: [f64; 6] = [0.1, 1.0, 10.0, 100.0, 1e3, 1e4];
 /// Factors of the search around the likeliest: each about the square root of the one before it.
 const CLOSER_SHARES: [f64; 4] = [3.2, 1.8, 1.3, 1.15];
-/// What a slow part pays for each of its numbers (a time constant and a size for each axis), as a
-/// logarithm: each is known to about a factor of two within a range of some hundred to one:
+/// The penalty of a slow part for each of its parameters (a time constant and a size for each axis), as a logarithm:
+/// each is known to about a factor of two within a range of some hundred to one:
 /// ln(4.6/(0.7 √(2π))) ≈ 1. (Laplace's ½ ln m is that of a mean over all rows, which a variance of a
 /// few slow swings is not.)
 /// Without it sizes by axis follow chance, and intervals in sweeps held in 89 instead of 92 %.

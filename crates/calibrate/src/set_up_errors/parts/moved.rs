@@ -1,4 +1,4 @@
-//! What may move while a robot is measured, and how it is corrected and reported.
+//! The parts that may move while a robot is measured, with their corrections and messages.
 
 use crate::answers::diagnosis::DataProblem;
 use crate::kinematics::JointKind;

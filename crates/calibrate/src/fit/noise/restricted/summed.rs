@@ -12,7 +12,7 @@ pub(in crate::fit::noise) struct NoiseShape {
     pub(in crate::fit::noise) ratio: [f64; 3],
     /// Standard deviations of the white part.
     pub(in crate::fit::noise) sigma: [f64; 3],
-    /// What the joints do not repeat.
+    /// The error of repeatability.
     pub(in crate::fit::noise) joints_rad: f64,
 }
 
