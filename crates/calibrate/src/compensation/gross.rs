@@ -9,7 +9,7 @@ use crate::thresholds::{GROSS_SHARE, PLAUSIBLE_SHARE};
 
 /// A gross residual has to be smaller than that of the nominal robot by at least this. (Derived: a servo with a degree
 /// of play has a residual of sin 1° = 0.017 of its reach, and its zeros are worth correcting.)
-const LEAVES_OF_NOMINAL: f64 = 0.5;
+const SHARE_OF_NOMINAL: f64 = 0.5;
 
 impl VerifiedCalibration {
     /// That commands may be corrected with it: what every table, program and description asks first.
@@ -25,7 +25,7 @@ impl VerifiedCalibration {
         };
         let size_mm = size_mm(self);
         let left_mm = last.gap_mm;
-        let gains = left_mm < LEAVES_OF_NOMINAL * nominal.gap_mm;
+        let gains = left_mm < SHARE_OF_NOMINAL * nominal.gap_mm;
         if left_mm > PLAUSIBLE_SHARE * size_mm || left_mm > GROSS_SHARE * size_mm && !gains {
             return Err(TableError::Gross { left_mm, size_mm });
         }
