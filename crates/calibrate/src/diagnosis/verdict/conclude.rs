@@ -98,7 +98,7 @@ pub(crate) fn answer(
         stopped: regression.work.ended(),
         floor,
         equivalent: equivalents(&open.rivals, &end.fit, &proposal, |t| named.is_dropped(t)),
-        unexplained: unexplained,
+        unexplained,
         not_testable: open.not_testable,
         not_found: limits::limits(regression, &end.fit),
         outliers: identification.outliers.clone(),
