@@ -137,7 +137,7 @@ fn frames(session: &Session, problem: &Problem) -> Vec<Term> {
 }
 
 /// A free frame for each setup where the session has setups, started from the best rigid motion.
-pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
+fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
     match &session.samples.setups {
         Some(_) => frames(session, problem),
         None => Vec::new(),

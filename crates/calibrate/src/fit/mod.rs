@@ -58,8 +58,7 @@ pub use crate::answers::identification::{
 pub use crate::answers::noise::{Noise, Slow, StatedNoise};
 pub use adaptive::regions_of;
 pub(crate) use answer::{covariance_of, outliers, parameters_of, report};
-pub(crate) use base_model::free_frames;
 pub use error::IdentifyError;
-pub(crate) use estimator::{fit_without_outliers, noise_given};
+pub(crate) use estimator::noise_given;
 pub use exact::{DEFAULT_EFFECTS, identify_exact, identify_watched};
 pub use regional::identify_regional;

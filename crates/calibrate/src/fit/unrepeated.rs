@@ -104,9 +104,9 @@ mod tests {
     use super::*;
     use crate::effects::JointValues;
     use crate::fit::base_model;
+    use crate::fit::estimator::fit_without_outliers;
     use crate::fit::estimator::noise_given;
     use crate::fit::example::unrepeated;
-    use crate::fit::fit_without_outliers;
     use crate::fit::noise::{Noise, Slow};
     use crate::fit::regression::Rows;
     use crate::fit::solver::equations_at;

@@ -16,7 +16,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::products::Products;
 use crate::fit::noise::PRICE_OF_A_VARIANCE;
-use crate::linear::{gram, inverse_of_lower};
+use crate::linear::{cross, gram, inverse_of_lower};
 use crate::{budget, rounding};
 
 /// A group that determines less than this many columns is nothing.
@@ -125,7 +125,7 @@ impl Remaining {
     }
 
     /// Of some columns.
-    fn only(&self, columns: &[usize]) -> Self {
+    pub(super) fn only(&self, columns: &[usize]) -> Self {
         Self {
             s: self.s.select_rows(columns).select_columns(columns),
             g: self.g.select_rows(columns),
@@ -137,7 +137,7 @@ impl Remaining {
     /// Of combinations of the columns.
     pub(super) fn through(&self, combinations: &DMatrix<f64>) -> Self {
         Self {
-            s: combinations.tr_mul(&(&self.s * combinations)),
+            s: cross(combinations, &(&self.s * combinations)),
             g: combinations.tr_mul(&self.g),
             common: DMatrix::zeros(combinations.ncols(), 0),
             ..*self

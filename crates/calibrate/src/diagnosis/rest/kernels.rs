@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use super::groups::{Remaining, Solved};
-use crate::linear::Basis;
+use crate::linear::{Basis, cross};
 use crate::{odds, rounding};
 
 /// Lengths of the prior that are tried, in shares of the range (of the period).
@@ -79,19 +79,24 @@ impl Kernels {
             .chain(orders.map(move |k| k * lengths + length))
     }
 
-    /// `t L (1 − Q Qᵀ)` of the parts.
-    fn combinations(&self, remaining: &Remaining, prior: &Prior) -> DMatrix<f64> {
-        let (knots, all) = (self.knots(), remaining.columns());
-        let parts = prior.iter().enumerate();
-        let parts: Vec<_> = parts
-            .filter_map(|(part, own)| Some((part, (*own)?)))
-            .collect();
-        let mut l = DMatrix::zeros(all, parts.len() * knots);
-        for (at, (part, (kernel, size))) in parts.into_iter().enumerate() {
-            let mut own = l.view_mut((part * knots, at * knots), (knots, knots));
-            own.copy_from(&(&self.0[kernel] * size));
+    /// The columns of the parts that there are.
+    fn columns_of(&self, prior: &Prior) -> Vec<usize> {
+        let there = (0..prior.len()).filter(|part| prior[*part].is_some());
+        let knots = self.knots();
+        there
+            .flat_map(|part| part * knots..(part + 1) * knots)
+            .collect()
+    }
+
+    /// `t L (1 − Q Qᵀ)` of the parts that there are, whose columns alone `own` has.
+    fn combinations(&self, own: &Remaining, prior: &Prior) -> DMatrix<f64> {
+        let knots = self.knots();
+        let mut l = DMatrix::zeros(own.columns(), own.columns());
+        for (at, (kernel, size)) in prior.iter().flatten().enumerate() {
+            let mut of_part = l.view_mut((at * knots, at * knots), (knots, knots));
+            of_part.copy_from(&(&self.0[*kernel] * *size));
         }
-        let q = Basis::new(&l.tr_mul(&remaining.common)).q;
+        let q = Basis::new(&cross(&l, &own.common)).q;
         let taken = &l * &q;
         l.gemm(-1.0, &taken, &q.transpose(), 1.0);
         l
@@ -99,10 +104,14 @@ impl Kernels {
 
     /// The curve with a prior.
     pub(super) fn fit(&self, remaining: &Remaining, prior: &Prior) -> Option<Fitted> {
-        let combinations = self.combinations(remaining, prior);
-        let none = vec![0; combinations.ncols()];
-        let solved = remaining.through(&combinations).solved(&none, &[1.0])?;
+        let columns = self.columns_of(prior);
+        let own = remaining.only(&columns);
+        let combinations = self.combinations(&own, prior);
+        let none = vec![0; columns.len()];
+        let solved = own.through(&combinations).solved(&none, &[1.0])?;
         Some(Fitted {
+            all: remaining.columns(),
+            columns,
             combinations,
             solved,
         })
@@ -145,7 +154,8 @@ impl Kernels {
         for (part, kernel) in all {
             let mut prior: Prior = vec![None; before.len()];
             prior[part] = Some((kernel, 1.0));
-            let alone = unexplained.through(&self.combinations(unexplained, &prior));
+            let own = unexplained.only(&self.columns_of(&prior));
+            let alone = own.through(&self.combinations(&own, &prior));
             let none = vec![0; alone.columns()];
             for size in sizes() {
                 let solved = alone.solved(&none, &[size * size]);
@@ -187,6 +197,9 @@ impl Kernels {
 
 /// A curve under a prior.
 pub(super) struct Fitted {
+    /// How many columns there are, and which of them are those of the parts.
+    all: usize,
+    columns: Vec<usize>,
     combinations: DMatrix<f64>,
     solved: Solved,
 }
@@ -194,12 +207,21 @@ pub(super) struct Fitted {
 impl Fitted {
     /// Values at the knots, part by part; zero where there is no curve.
     pub(super) fn values(&self) -> DVector<f64> {
-        &self.combinations * self.solved.coefficients()
+        self.of_all((&self.combinations * self.solved.coefficients()).iter())
     }
 
     /// Their standard deviations.
     pub(super) fn sigma(&self) -> DVector<f64> {
-        let all = &self.combinations * self.solved.deviations().transpose();
-        DVector::from_fn(all.nrows(), |k, _| all.row(k).norm())
+        let own = &self.combinations * self.solved.deviations().transpose();
+        let norms: Vec<f64> = own.row_iter().map(|row| row.norm()).collect();
+        self.of_all(norms.iter())
+    }
+
+    fn of_all<'v>(&self, own: impl Iterator<Item = &'v f64>) -> DVector<f64> {
+        let mut all = DVector::zeros(self.all);
+        for (column, value) in self.columns.iter().zip(own) {
+            all[*column] = *value;
+        }
+        all
     }
 }
