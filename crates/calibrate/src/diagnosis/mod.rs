@@ -1,5 +1,5 @@
-//! Finding and naming what is missing: where simulation and measurement disagree, which physical
-//! effect does it, how sure that is, and what to measure next where it is not.
+//! Diagnosis: finding and naming the effects that a model lacks. Where simulation and measurement disagree, which
+//! physical effect is the cause, how certain that is, and what to measure next where it is not.
 //!
 //! The steps, one module for each; a module uses only those before it:
 //!
@@ -54,7 +54,7 @@ use std::cell::Cell;
 use crate::sessions::Session;
 use crate::set_up_errors::CorrectedSession;
 
-/// Diagnoses a session; `planner` proposes poses for what stays undecided.
+/// Diagnoses a session; `planner` proposes poses for open questions.
 ///
 /// # Errors
 /// If an option makes no sense, if there is no sample to fit, or if the watcher stops it.

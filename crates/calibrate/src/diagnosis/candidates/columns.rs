@@ -24,7 +24,7 @@ struct Group {
     direction: Option<DVector<f64>>,
     /// Place of the first among all columns.
     first: usize,
-    /// So many are those of names; they come before the others.
+    /// The number of columns of names; they come before the others.
     named: usize,
     values: DMatrix<f64>,
 }
@@ -36,7 +36,7 @@ pub(crate) enum CandidateSubset {
     All,
 }
 
-/// The columns of all candidates, held as the few numbers that they are made of.
+/// The columns of all candidates, stored compactly.
 #[derive(Debug, Clone)]
 pub(crate) struct Columns {
     rows: usize,
@@ -64,11 +64,11 @@ struct GroupBuilder {
     named: usize,
 }
 
-/// Where the columns of a candidate were put: which group, and its first column there.
+/// The place of a candidate's columns: the group, and its first column there.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slot(usize, usize);
 
-/// Of the rows of each sample the sum of their products.
+/// Sums the products over the rows of each sample.
 fn sums_of_samples(samples: usize, a: &[f64], b: &[f64]) -> Vec<f64> {
     let mut sums = vec![-0.0; samples];
     let axes = a.chunks_exact(samples.max(1));
@@ -88,7 +88,7 @@ impl GroupBuilder {
         };
         let direction = direction.as_slice();
         let n = self.squares.len();
-        // Some samples at a time: most columns are not, and the first show it.
+        // In blocks of samples: most columns are not, and the first block shows it.
         for from in (0..n).step_by(LANES) {
             let to = (from + LANES).min(n);
             let mut own = [-0.0; LANES];
@@ -202,7 +202,7 @@ impl Columns {
         self.groups.iter().map(|g| g.values.ncols()).sum()
     }
 
-    /// Whether every number of some columns that are together is finite.
+    /// Whether every number of some adjacent columns is finite.
     pub(crate) fn are_finite(&self, first: usize, count: usize) -> bool {
         let group = &self.groups[self.group(first)];
         let at = first - group.first;

@@ -18,8 +18,9 @@ use crate::numeric::median;
 use crate::sessions::Group;
 use crate::thresholds::GROSS_SHARE;
 
-/// Whether the points of every setup lie as near to a line as the nominal robot is to them in the median: its error turns
-/// them by a radian about the line, or more. What is gross is of the set-up, a home that is off, and no geometry.
+/// Whether the points of every setup lie as near to a line as the nominal robot is to them in the median: its error
+/// turns them by a radian about the line, or more. A gross error is one of the set-up (a home that is off), not of the
+/// geometry.
 pub(super) fn is_open(problem: &Problem, base: &Model) -> bool {
     let session = problem.session;
     let mut terms = base.terms().iter();

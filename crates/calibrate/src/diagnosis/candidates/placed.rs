@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::model::shapes::Shape;
 
-/// A shape in a fit. Fits that are kept have their columns in common.
+/// A shape in a fit. Fits that are kept share their columns.
 #[derive(Debug, Clone)]
 pub(crate) struct Placed {
     pub(crate) shape: Shape,

@@ -1,5 +1,5 @@
-//! Everything that the search tries: each testable effect on each joint with each setting, and
-//! the anonymous shapes, with their columns at the base model.
+//! The table of candidates: each testable effect on each joint with each setting, and the anonymous shapes, with their
+//! columns at the base model.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -72,7 +72,7 @@ impl Allowed {
     /// Whether a name exists at all.
     pub fn exists(&self, id: &str) -> bool {
         let without = |id: &str| self.without.iter().any(|w| w == id);
-        // What becomes another effect in the limit is left out with it.
+        // An effect that this one becomes in the limit is left out with it.
         let becomes = find(id).and_then(|effect| effect.about().becomes);
         !(without(id) || becomes.is_some_and(without))
     }
@@ -166,7 +166,7 @@ impl CandidateTable {
         for (candidate, slot) in candidates.iter_mut().zip(slots) {
             candidate.first = first(slot);
         }
-        // Numbers that overflowed explain nothing, and a scan could not rank what they score.
+        // Candidates with overflowed columns explain nothing, and their scores could not be ranked.
         candidates.retain(|c| c.size > 0 && columns.are_finite(c.first, c.size));
         let mut table = Self {
             candidates,
@@ -289,7 +289,7 @@ fn names(
                 Setting::Time => (settings.len() as f64).min(40.0),
                 _ => settings.len() as f64,
             };
-            // What the gear ratio asks for is no choice among all orders.
+            // An order that follows from the gear ratio is no choice among all orders.
             let robot = &problem.session.robot;
             let of_the_gear = stated_orders(robot, joint).count() as f64;
             names.extend(settings.into_iter().map(|setting| {

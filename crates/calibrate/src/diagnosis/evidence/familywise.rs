@@ -18,7 +18,7 @@ use super::trials::Trials;
 use crate::budget;
 use crate::diagnosis::candidates::columns::CandidateSubset;
 
-/// The smallest chance that is stated: further out the law is an extrapolation that nothing has checked.
+/// The smallest chance that is stated: further out the distribution is an extrapolation that nothing has checked.
 pub(crate) const SMALLEST: f64 = 1.0 / 2000.0;
 /// Rows beyond which all residuals are taken to be equally large: with so many rows each candidate's gain is a sum
 /// that is Gaussian whatever they are, and effects that are still to be found make some of them larger than others.
@@ -71,7 +71,7 @@ impl Regression<'_> {
     /// Whether noise alone reaches it with more than this chance. Used on the way to the final test: there the noise
     /// of any model of the same size is good enough.
     pub(crate) fn reached_by_noise(&self, minus_ln_p: f64, chance: f64, fit: &Fit) -> bool {
-        // One candidate alone does already; the others only add to it.
+        // One candidate alone exceeds it already; the others only add to it.
         let weights = self.table.candidates.iter().map(weight_of);
         let least = weights.fold(f64::INFINITY, f64::min);
         let in_noise = || {

@@ -48,11 +48,11 @@ impl Regression<'_> {
             } else {
                 self.place(&model, &shapes)
             };
-            // The shapes are linear: they are solved for afresh, the model by steps.
+            // The shapes are linear: they are solved for again, the model by steps.
             let step = here.solve(&residual);
             projected = here.reject(&residual);
             rss = projected.norm_squared();
-            // What the columns explain of the residual is what the step moves, but for the shapes.
+            // The part of the residual in the span of the columns is explained by the step, except for the shapes.
             let mut moves = residual - &projected;
             model = model.stepped(&step.as_slice()[..own]);
             let mut first = own;

@@ -232,7 +232,7 @@ impl Fitted {
         (step, taken)
     }
 
-    /// The setting that does more than the fit's own, if one does.
+    /// The setting with a larger gain than the fit's own, if there is one.
     fn better(&self, at: usize, stay: &Sums) -> Option<usize> {
         let term = &self.terms[at];
         let own = self.places(term.first, term.size());

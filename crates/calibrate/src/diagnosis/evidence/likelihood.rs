@@ -121,7 +121,7 @@ impl Regression<'_> {
                 }
             }
             if vector && term.effect.about().non_negative {
-                // What the effect is named for has to be there: the others alone are something else.
+                // The component that the effect is named for has to be present: the others alone are something else.
                 let all = covariance.get_or_insert_with(|| basis.inverse_gram());
                 let variance = all[(own.start, own.start)] * self.rounded(rss) / self.m();
                 let clear = term.coefficients[0].powi(2) > odds::CLEAR.chi_square() * variance;
@@ -143,7 +143,7 @@ impl Regression<'_> {
                     return f64::NEG_INFINITY;
                 }
             }
-            // Components that the samples do not show pay nothing.
+            // Components that the samples do not determine have no penalty.
             let own: Vec<usize> = own.filter(|k| basis.kept.contains(k)).collect();
             if !vector || own.len() < 2 {
                 continue;
@@ -187,7 +187,7 @@ impl Regression<'_> {
         PRICE_OF_A_SETTING + 0.5 * self.m().ln()
     }
 
-    /// Whether a term is an order that the gear ratio of its joint asks for.
+    /// Whether a term is an order that follows from the gear ratio of its joint.
     pub(crate) fn is_stated(&self, term: &Term) -> bool {
         stated(&self.base.robot, term).is_some()
     }

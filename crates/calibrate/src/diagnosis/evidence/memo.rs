@@ -23,7 +23,7 @@ impl<T: Clone> Memo<T> {
         }
     }
 
-    /// The answer for a fit, worked out unless it is known.
+    /// The answer for a fit, computed unless it is known.
     pub(crate) fn of(&self, fit: &Fit, work: impl FnOnce() -> T) -> T {
         self.of_key(Key::of(fit), work)
     }
@@ -66,7 +66,7 @@ impl Key {
         key
     }
 
-    /// The same, of something that is asked with this number.
+    /// The same, with this number as a part of the key.
     pub(crate) fn with(mut self, number: usize) -> Self {
         self.numbers.push(number as u64);
         self

@@ -62,7 +62,7 @@ impl Projections {
         (gram, rank)
     }
 
-    /// The same where these products of them come back.
+    /// The same with these products added back.
     pub(super) fn factor_with(
         &self,
         candidate: &Candidate,

@@ -78,7 +78,7 @@ impl Regression<'_> {
         } else {
             (nearest, worth(of_whole))
         };
-        // An order that the gear ratio asks for is no choice among all.
+        // An order that follows from the gear ratio is no choice among all.
         let stated = stated_orders(&self.base.robot, term.joint).map(|s| s.order);
         let near = stated.filter(|order| (order - term.setting).abs() < NEIGHBOURS);
         let pays = |order: f64| self.price_of_term(&at(order));

@@ -16,12 +16,12 @@ use super::shares::{Gains, SHARES, dealt};
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::compatible;
 
-/// Settings that are scanned afresh, at most …
+/// Settings that are scanned again, at most …
 pub(crate) const MOST_SETTINGS: usize = 16;
 /// … of those whose gain is this share of the term's, over all samples: a fifth of them does not make up for more.
 const NEAR: f64 = 0.3;
 
-/// Whether a term's setting is scanned afresh in every fold.
+/// Whether a term's setting is scanned again in every fold.
 fn is_scanned(term: &Term) -> bool {
     // A fade is a coefficient like others: every fold's fit moves it.
     !matches!(
@@ -30,7 +30,7 @@ fn is_scanned(term: &Term) -> bool {
     )
 }
 
-/// Settings of a term, other than its own, that would lower the square by much of what the term does.
+/// Settings of a term, other than its own, whose gain is a large part of the term's.
 fn near_its_own(
     regression: &Regression,
     fit: &Fit,
@@ -133,7 +133,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         columns: usize,
     ) -> Vec<f64> {
         let width = columns.min(self.columns.ncols());
-        // What terms with another setting do more than with the fit's.
+        // The difference of terms with another setting from the fit's.
         let more = exchanged.into_iter().map(|(at, setting, own)| {
             let term = &self.fitted.terms()[at];
             let table = &self.regression.table;

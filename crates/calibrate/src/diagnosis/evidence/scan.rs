@@ -71,8 +71,8 @@ impl Regression<'_> {
         self.scores(whole, among, |c| around.factor(c), around.pulls.as_slice())
     }
 
-    /// A fit without a term that was added. The evidence is an upper bound but for rounding: what a vector is
-    /// spared for components that are not there is not taken off.
+    /// A fit without a term that was added. The evidence is an upper bound but for rounding: the correction of a
+    /// vector's penalty for its zero components is not subtracted.
     pub(crate) fn without(&self, fit: &Fit, term: &Term) -> Option<ReducedFit> {
         self.without_all(fit, std::slice::from_ref(term))
     }

@@ -112,7 +112,7 @@ impl Regression<'_> {
         Basis::new(&free).q.tr_mul(&fit.residual).norm_squared()
     }
 
-    /// Columns of terms of which nothing is known beforehand, whitened, with the rows of the priors.
+    /// Columns of terms without a prior, whitened, with the rows of the priors.
     pub(super) fn white_of(&self, raw: &DMatrix<f64>) -> DMatrix<f64> {
         let mut white = raw.clone();
         self.filter.whiten(white.as_mut_slice());

@@ -112,7 +112,7 @@ impl<'p, 'a> Trials<'p, 'a> {
             }
             most
         };
-        // The largest is the same in whatever order it is looked for.
+        // The largest does not depend on the order of the search.
         let mut most = none.clone();
         for own in self
             .regression

@@ -50,7 +50,7 @@ impl Work {
         self.0.done.set(self.0.done.get() + products);
     }
 
-    /// From here on the search may go on up to this share of the whole.
+    /// From here on the search may spend up to this share of the whole.
     pub(crate) fn up_to(&self, share: f64) {
         self.0.share.set(share);
     }
@@ -96,7 +96,7 @@ impl Work {
         }
     }
 
-    /// Which part of all that it may cost is done, 0 to 1.
+    /// The share of the budget that is spent, 0 to 1.
     pub(crate) fn spent(&self) -> f64 {
         (self.0.done.get() / self.0.most).min(1.0)
     }

@@ -103,7 +103,7 @@ fn chosen(mut design: Design) -> Option<Chosen> {
     if likelier < odds::TAKEN.nats() {
         return None;
     }
-    // A family that does not help on unseen cells goes.
+    // A family without a gain on unseen cells is dropped.
     let unseen = design.unseen()?;
     let mut gains = design.gains(&unseen, &strengths)?;
     for family in 0..strengths.len() {

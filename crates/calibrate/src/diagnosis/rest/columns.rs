@@ -44,7 +44,7 @@ pub(super) struct Columns<'a> {
 pub(super) struct Block {
     /// Which sample each is of.
     pub(super) samples: Vec<usize>,
-    /// Along the motion, the radius, the axis: the directions of the curve that move them.
+    /// Along the motion, the radius, the axis: the directions of the curve that affect them.
     pub(super) directions: Vec<usize>,
     /// A value of 1 at a knot of each direction, in rad or mm: it moves the samples by 1 mm, root mean square.
     pub(super) unit: Vec<f64>,

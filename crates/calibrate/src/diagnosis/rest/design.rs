@@ -41,7 +41,7 @@ pub(super) struct Design<'a> {
     parts: Vec<Products>,
     /// The share of each sample.
     share: Vec<usize>,
-    /// The share that nothing is chosen or fitted by.
+    /// The share that is held out of every choice and fit.
     apart: Option<usize>,
     /// Of the priors.
     products: Option<Products>,
@@ -155,7 +155,7 @@ impl<'a> Design<'a> {
             all
         };
         let n = folds.samples().max(1);
-        // Of rows that are independent a whitened one is one in units of its axis's noise.
+        // Of independent rows a whitened one is one in units of its axis's noise.
         let unit = |row: usize| {
             if noise.is_white() {
                 noise.sigma_mm[rows.axes[row / n]]

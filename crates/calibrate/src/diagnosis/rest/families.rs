@@ -338,7 +338,7 @@ mod tests {
     use crate::effects::JointValues;
     use crate::fit::example::unrepeated;
 
-    /// Whatever the coefficients are, a correction is nothing on average of the poses that it comes from.
+    /// Whatever the coefficients are, the mean correction over the poses that it comes from is zero.
     #[test]
     fn a_correction_takes_no_constant_from_the_geometry() {
         let session = unrepeated(0.0, 1);

@@ -19,7 +19,7 @@ use crate::fit::noise::PRICE_OF_A_VARIANCE;
 use crate::linear::{cross, gram, inverse_of_lower};
 use crate::{budget, rounding};
 
-/// A group that determines less than this many columns is nothing.
+/// A group that determines less than this many columns counts as zero.
 const NOTHING: f64 = 0.05;
 
 /// The normal equations projected orthogonal to the base.
@@ -144,7 +144,7 @@ impl Remaining {
         }
     }
 
-    /// Once columns with these coefficients have taken theirs.
+    /// The same after columns with these coefficients were fitted.
     pub(super) fn without(&self, coefficients: &DVector<f64>) -> Self {
         let taken = &self.s * coefficients;
         let rss = self.yy - 2.0 * coefficients.dot(&self.g) + coefficients.dot(&taken);

@@ -10,7 +10,7 @@ use crate::lanes::TOGETHER;
 use crate::wide::{Loop, wide};
 use crate::{fewest, odds, rounding};
 
-/// Orders that are looked at, cycles per turn.
+/// Orders that are searched, cycles per turn.
 const FROM: f64 = 7.0;
 const TO: f64 = 420.0;
 /// Steps within the resolution of the range.
@@ -27,7 +27,7 @@ pub(super) struct Residual<'r> {
     pub(super) variance: f64,
 }
 
-/// The joint and the order that explain most, where that is beyond noise.
+/// The joint and the order that explain most, where that exceeds noise.
 pub(super) fn strongest(residual: &Residual) -> Option<(usize, f64)> {
     let mut best: Option<(usize, f64, f64)> = None;
     let mut tried = 0.0;

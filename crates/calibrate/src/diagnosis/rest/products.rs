@@ -100,7 +100,8 @@ impl Products {
         own.cholesky()
     }
 
-    /// The products of the columns without a name, those with the residual, and its square, with the base taken out.
+    /// The products of the columns without a name, those with the residual, and its square, projected orthogonal to
+    /// the base.
     pub(super) fn without_base(&self) -> Option<(DMatrix<f64>, DVector<f64>, f64)> {
         let (n, p) = (self.base, self.gram.nrows() - self.base - 1);
         let cross = self.gram.view((0, n), (n, p + 1)).into_owned();
@@ -108,7 +109,7 @@ impl Products {
         let projected = if n == 0 {
             inner.into_owned()
         } else {
-            // L⁻¹ of the cross products, once: what the base takes is its square.
+            // L⁻¹ of the cross products, once: its square is the part in the span of the base.
             let taken = solve_lower(self.factor()?.l_dirty(), cross);
             inner - gram(&taken)
         };

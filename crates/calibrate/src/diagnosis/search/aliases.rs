@@ -115,7 +115,7 @@ fn tried(regression: &Regression, fit: &Fit) -> Vec<Rival> {
             fit: regression.fit(&model, &trial.reduced.shapes),
         }
     });
-    // What its own values rule out does not count among those that are refitted.
+    // Candidates that their own values rule out do not count among those that are refitted.
     let possible = refitted.filter(|r| r.fit.ln_evidence.is_finite());
     let mut rivals: Vec<Rival> = possible.take(MOST_SETTINGS).collect();
     rivals.retain(|r| r.fit.ln_evidence > fit.ln_evidence - odds::TAKEN.nats());

@@ -53,7 +53,7 @@ fn poses_of(problem: &Problem, counted: impl Iterator<Item = usize>) -> usize {
     counted.map(of).collect::<BTreeSet<usize>>().len()
 }
 
-/// Whether most of what is counted here is off by more than any effect.
+/// Whether most of the errors here are larger than any effect.
 fn is_gross(problem: &Problem, residual_mm: &[f64], run: &[usize]) -> bool {
     let mut run: Vec<f64> = run
         .iter()

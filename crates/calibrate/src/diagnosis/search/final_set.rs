@@ -51,7 +51,7 @@ pub(crate) fn tested(
     }
 }
 
-/// Logarithms of odds that differ by less are equal: a fit is known no better.
+/// Logarithms of odds that differ by less are equal: neither fit is better.
 pub(crate) const EQUALLY_LIKELY: f64 = 1e-3;
 
 /// Whether a rival is likelier than a fit by more than rounding.
@@ -125,7 +125,7 @@ pub(crate) fn test_as_reported(
         } else {
             regression.fit(&found.fit.model, &[])
         };
-        // Of several kinds of measurement that in mm is not all that they show.
+        // Of several kinds of measurement the error in mm is not all of it.
         let of_kinds = regression.rows.observed().is_some();
         let idle = |step: &Step| {
             let held_out = if of_kinds {

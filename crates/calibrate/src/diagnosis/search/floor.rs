@@ -161,7 +161,7 @@ pub(crate) fn pure_error(prepared: &PreparedSearch) -> Option<PureError> {
     }
     let all = all as f64;
     let mm = (of_lengths >= fewest::TO_JUDGE).then(|| (sum / of_lengths as f64).sqrt());
-    // What is farther apart is no return: the commands are not the robot's.
+    // If they are farther apart they are no returns: the commands are not the robot's.
     let worst_mm = GROSS_SHARE * prepared.problem.session.robot.reach_mm();
     let are_returns = mm.is_none_or(|mm| mm <= worst_mm);
     let of_poses = returned_poses(inputs).map(|count| (rows.axes.len() * count) as f64);

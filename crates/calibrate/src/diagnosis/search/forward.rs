@@ -79,7 +79,7 @@ impl Search<'_, '_> {
         Ok(SearchResult::of(fit, named_effects_only))
     }
 
-    /// Goes on from where a search under nearly the same noise has ended.
+    /// Continues from the end of a search under nearly the same noise.
     pub(crate) fn resume(&self, from: &SearchResult) -> Result<SearchResult, Cancelled> {
         let fit = self.resume_fit(&from.fit, Additions::Everything)?;
         let named_effects_only = if fit.shapes.is_empty() {
@@ -124,7 +124,7 @@ impl Search<'_, '_> {
         self.regression.added(fit).len() + fit.shapes.len()
     }
 
-    /// Adds what is significant, best first, until nothing is.
+    /// Adds candidates while they are significant, best first.
     fn forward(&self, start: Fit, allow: Additions) -> Result<Fit, Cancelled> {
         let mut fit = start;
         while self.count(&fit) < self.most && !self.regression.work.is_over() {
@@ -275,7 +275,7 @@ impl<'a> PreparedSearch<'a> {
         Ok(self.searcher(watch).run()?)
     }
 
-    /// Goes on from the end of a search under nearly the same noise.
+    /// Continues from the end of a search under nearly the same noise.
     pub(crate) fn resume(
         &self,
         from: &SearchResult,

@@ -302,7 +302,7 @@ mod tests {
         assert_eq!(settings, [20.0, 21.0, 22.0]);
         assert!(OrderSpread::of(&prepared.problem, &fit.model).is_none());
 
-        // An order that is not whole makes its phase unsure.
+        // An order that is not whole makes its phase uncertain.
         let model = regression
             .base
             .with_term(Term::absent(gear.effect, gear.joint, 21.1));

@@ -57,7 +57,7 @@ fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
             (near && free && at_another_setting(term, other)).then_some((score.ln_odds, other))
         })
         .collect();
-    // As likely as each other, they stay in the order of their settings.
+    // Where they are equally likely, they stay in the order of their settings.
     let key = |odds: f64| (odds * 1e3).round();
     close.sort_by(|a, b| {
         key(b.0)

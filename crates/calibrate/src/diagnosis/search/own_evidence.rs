@@ -17,7 +17,7 @@ use crate::odds;
 /// The factor by which the priors of the geometry are widened: no robot is ten times as far off as others are.
 const LESS: f64 = 0.1;
 
-/// The name, of those of a fit, for which the samples themselves speak least, where they do not speak for it.
+/// The name of a fit with the least evidence in the samples themselves, if that is not enough.
 pub(super) fn least_proven(prepared: &PreparedSearch, fit: &Fit) -> Option<Term> {
     let regression = &prepared.regression;
     let priors = regression.prior_rows();

@@ -37,7 +37,7 @@ use crate::{odds, rounding};
 
 /// A search that found so many names goes on from them; every two of them are a comparison of as many columns as a fit has.
 pub(crate) const MANY_NAMES: usize = 4;
-/// The search looks at so many samples of a longer session.
+/// Samples that are searched of a longer session.
 const MOST_SAMPLES: usize = 500;
 
 pub(crate) struct PreparedSearch<'a> {
@@ -196,7 +196,7 @@ impl<'a> PreparedSearch<'a> {
         if same {
             self.regression = self.regression.with_noise(noise);
         } else {
-            // The fits of these samples need no room any more.
+            // The cached fits of these samples are no longer needed.
             self.regression.forget();
             let base = crate::fit::solver::solve(&self.problem, &self.regression.base).model;
             let mut regression = bare_regression(&self.problem, &base, &self.survey, &self.options);

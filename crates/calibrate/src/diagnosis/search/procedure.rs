@@ -55,13 +55,13 @@ pub(crate) fn searched<'a>(
     let work = prepared.regression.work.clone();
     let keep_going = until_stopped(&work, options, watch);
     let watch: Watch = &keep_going;
-    // 1. Forward, swaps, drops and pairs: what noise would not do family-wise and what predicts unseen samples.
+    // 1. Forward, swaps, drops and pairs: what exceeds noise family-wise and predicts unseen samples.
     work.up_to(FIRST_SEARCH);
     let mut found = prepared.search(watch)?;
-    // 2. Again with the names known: outliers and noise look different then.
+    // 2. Again with the names known: outliers and noise are different then.
     work.up_to(SECOND_SEARCH);
     found = search_again(&mut prepared, found, watch)?;
-    // 3. Against a slow part of the noise and against free curves: the likelier end wins.
+    // 3. Compared with a slow part of the noise and with free curves: the likelier end wins.
     work.up_to(RIVALS);
     (prepared, found) = compare_with_rivals(prepared, found, watch)?;
     slowest::readings(&prepared, &mut found);
@@ -177,12 +177,12 @@ fn against_rivals<'a>(
     }
     let noise = prepared.regression.noise.clone();
     if noise.slow.is_some() {
-        // Of what the slow part holds a curve may explain some, or all: that shows where its values come back.
+        // A curve may explain a part of the slow noise, or all of it: that shows where its values come back.
         let white = prepared.with_noise(noise.made_white());
         if let Some(curve) = free_curve::instead_of_slow(&white, &found, |_| true) {
             (prepared, found) = (white, curve);
         }
-        // Of several joints one has values that come back by accident.
+        // Of several joints one may have values that come back by chance.
         let white = prepared.with_noise(noise.without_slow());
         let single = white.survey.joints.len() == 1;
         let comes_back = |joint: usize| single && free_curve::comes_back(&white, joint);

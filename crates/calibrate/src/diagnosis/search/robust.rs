@@ -38,7 +38,7 @@ const ROUNDS: [usize; 2] = [3, 6];
 /// (Holland & Welsch 1977 for the weights.)
 const TUNING: [f64; 2] = [2.8, 5.5];
 
-/// Samples that were looked at, and whether they are suspected.
+/// The samples of the regression, and whether they are suspected.
 pub(crate) fn suspected_given_many(
     problem: &Problem,
     regression: &Regression,
@@ -234,7 +234,7 @@ fn weighted(
         .map(|row| {
             let leverage = spread.column(row).norm_squared();
             let w = weights[row % n];
-            // In the fit a row pulls it towards itself; outside of it the fit's own error adds.
+            // In the fit a row pulls it towards itself; at an unfitted row the fit's own error adds.
             (1.0 - 2.0 * w * leverage + leverage * w)
                 .clamp(0.1, 1.0)
                 .max(if w < 1e-3 {

@@ -13,7 +13,7 @@ use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::linear::{Basis, reject_all};
 
-/// One effect more, in the order of what each adds.
+/// One effect more, in the order of their gains.
 pub(crate) struct Step {
     pub(crate) term: Term,
     pub(crate) gap_mm: [f64; 2],
@@ -86,7 +86,7 @@ fn likeliest(
                 let basis = Basis::new(&free);
                 let gain = basis.q.tr_mul(&now.residual).norm_squared();
                 let share = (gain / now.rss.max(1e-300)).min(1.0 - 1e-12);
-                // Of a vector the components that are not there are spared.
+                // Components of a vector that are zero have no penalty.
                 let rank = basis.rank().min(2) as f64;
                 return -0.5 * regression.m() * (-share).ln_1p()
                     - 0.5 * rank * regression.m().ln()

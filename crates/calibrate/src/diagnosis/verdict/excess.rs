@@ -26,8 +26,8 @@ impl Excess {
     }
 }
 
-/// Chance of a mean square so many times the expected one, which is itself known from so many degrees
-/// of freedom: from infinitely many where it is stated.
+/// Chance of a mean square so many times the expected one, which is itself estimated with so many degrees of freedom:
+/// with infinitely many where it is stated.
 pub(super) fn excess_of(ratio2: f64, freedom: f64, known_from: f64, kurtosis: f64) -> Excess {
     // Wilson & Hilferty's cube root makes χ² nearly normal, and a ratio of two as well (Paulson
     // 1942); heavy tails widen it.

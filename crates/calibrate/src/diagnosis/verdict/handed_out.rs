@@ -46,10 +46,10 @@ use super::values::{Values, corrected_for_selection};
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::prepare::PreparedSearch;
 
-/// The median deviation of what is handed out may be so many times that of `identify`: more is no scatter.
+/// The median deviation of the model may be so many times that of `identify`: more is no scatter.
 const MOST_TIMES_MEDIAN: f64 = 1.25;
-/// Where nothing was found the identification without what was set aside takes its place if the median deviation is
-/// below this share of that with it: the others had bent it.
+/// Where nothing was found the identification without the samples set aside replaces it if the median deviation is
+/// below this share of that with them: they had distorted it.
 const GAINS_OF_MEDIAN: f64 = 0.9;
 
 /// The model that is handed out.
@@ -58,7 +58,7 @@ pub(crate) struct HandedOut<'a> {
     pub(crate) values: Values<'a>,
     /// RMS error of the model of `identify`, mm.
     pub(crate) identified_mm: f64,
-    /// RMS error of what is handed out, mm: never above that of `identify`.
+    /// RMS error of the model, mm: never above that of `identify`.
     pub(crate) end_mm: f64,
     /// Cross-validated RMS errors of both, mm; `None` with too few samples.
     pub(crate) held_out_mm: Option<[f64; 2]>,
@@ -206,7 +206,7 @@ impl<'a> Against<'_, 'a> {
             && runs_away(problem, model).is_none()
     }
 
-    /// Whether the identification without what was set aside shows that the others had bent it.
+    /// Whether the identification without the samples set aside shows that they had distorted it.
     fn gains(&self, own: &WayToValues) -> bool {
         let median_mm = median_mm(self.problem, &own.values.model);
         own.end_mm < self.rms_mm && median_mm < GAINS_OF_MEDIAN * self.median_mm

@@ -71,7 +71,7 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
                 }
                 Form::Fading(quantity) => vec![above(&quantity, energy(0))],
                 Form::Harmonic(quantity) => {
-                    // The phase that is hardest to see: the smaller eigenvalue of the 2 × 2.
+                    // The phase that is hardest to detect: the smaller eigenvalue of the 2 × 2.
                     let (a, d) = (energy(0), energy(1));
                     let b = factor[0] * factor[k];
                     let mean = 0.5 * (a + d);

@@ -111,7 +111,7 @@ fn values<'a>(
     [alone, with_shapes]: [&Fit; 2],
     capped: bool,
 ) -> Values<'a> {
-    // A shape over a joint of several takes of their geometry, which then predicts nothing without it.
+    // A shape over a joint of several absorbs a part of their geometry, which then predicts nothing without it.
     let several = prepared.regression.base.robot.joints.len() > 1;
     let of_kinds = problem.observed.is_some();
     let without = (several || of_kinds) && !with_shapes.shapes.is_empty();

@@ -13,7 +13,8 @@ use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::kinematics::JointKind;
 use crate::numeric::extent;
 
-/// The model with everything that predicts: what no sample shows where it is expected, and what repeats without a name.
+/// The model with everything that predicts: undetermined parameters at their expected values, and what repeats without
+/// a name.
 pub(super) struct Predicting<'a> {
     pub(super) values: Values<'a>,
     /// With it, and of the names alone, on the samples that both are judged by.

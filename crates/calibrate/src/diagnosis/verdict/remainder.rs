@@ -98,7 +98,7 @@ fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
         let gain = (names.rss - fit.rss).max(0.0);
         return (gain / n).sqrt() * mean_sigma_mm(regression);
     }
-    // Whitened by a noise that wanders, a sum of squares is in units of one sample's surprise, not of mm.
+    // Whitened by a slow noise, a sum of squares is in units of one sample's innovation, not of mm.
     let shapes = fit.shapes.iter();
     let moved = shapes.map(|s| &*s.raw * &s.coefficients);
     let Some(mut moved) = moved.reduce(|sum, one| sum + one) else {
@@ -137,7 +137,7 @@ pub(crate) fn without_shapes(prepared: &PreparedSearch, fit: &Fit) -> Unexplaine
     let regression = &prepared.regression;
     let scores = regression.scan(fit, CandidateSubset::All);
     let largest = scores.iter().map(|s| s.minus_ln_p).fold(0.0, f64::max);
-    // Where it would be, were it more than noise.
+    // The place where it would be, were it more than noise.
     let likeliest = scores
         .iter()
         .filter_map(|s| match &regression.table.candidates[s.candidate].what {

@@ -20,7 +20,7 @@ pub(crate) fn robot_mm(prepared: &PreparedSearch, values: &Values) -> Option<f64
         return rows.unrepeated_mm(values.problem.noise.as_ref()?);
     };
     let sigma = match prepared.problem.session.instrument.sigma_mm {
-        // Rows of one pose show what the instrument does.
+        // Rows of one pose show the noise of the instrument.
         _ if rows.inputs.pose.is_some() => values.sigma_mm(),
         Some(Sigma::Overall(sigma)) => [sigma; 3],
         Some(Sigma::PerAxis(sigma)) => sigma,

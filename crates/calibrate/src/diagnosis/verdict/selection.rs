@@ -19,7 +19,7 @@ use crate::effects::{Form, Term};
 use crate::fit::Estimate;
 use crate::units::HALF_TURN_DEG;
 
-/// Beyond so many standard deviations over the limit the selection does nothing.
+/// Beyond so many standard deviations over the limit the selection has no effect.
 const FAR: f64 = 5.0;
 /// Steps of the correction of the value: further ones correct too much, in the mean (`hidden_effects small`).
 /// Calibrated: the mean size of what is found at λ = 16 is right within 5 %; after 4 steps it is 7 %
@@ -80,7 +80,7 @@ impl Selection {
         let value = estimate.value;
         let half = 0.5 * (high - low);
         if estimate.name.starts_with("phase") {
-            // It is as sure as the amplitude is large, which is less than it looked.
+            // It is as certain as the amplitude is large, which is less than before the correction.
             let half = half / self.factor.max(0.05);
             estimate.ci95 = (half < HALF_TURN_DEG).then_some([value - half, value + half]);
             return;
@@ -88,7 +88,8 @@ impl Selection {
         let along = [self.low * value, self.high * value];
         let (from, to) = (along[0].min(along[1]), along[0].max(along[1]));
         estimate.value = self.factor * value;
-        // The selection acts on the length of a vector; across it a component is as unsure as it was.
+        // The selection acts on the length of a vector; the uncertainty of a component perpendicular to it is
+        // unchanged.
         let of_length = 1.96 * value.abs() / (half.max(1e-300) * self.length);
         let across = (1.0 - of_length.powi(2)).max(0.0) * half.powi(2);
         estimate.ci95 = Some([

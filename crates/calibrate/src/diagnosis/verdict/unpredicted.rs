@@ -21,12 +21,13 @@ use super::values::Values;
 use crate::answers::diagnosis::Floor;
 use crate::diagnosis::search::prepare::PreparedSearch;
 
-/// From so many times the standard uncertainty on; half of all normal errors are within one.
+/// The factor of the standard uncertainty; half of all normal errors are within one.
 const MOST_TIMES: f64 = 3.0;
 
 /// The message where the samples that the session holds out are not predicted.
 pub(crate) fn missed(prepared: &PreparedSearch, values: &Values, floor: &Floor) -> Option<Text> {
-    // What an option has locked away is fitted by now; a frame that wanders is elsewhere when they were measured.
+    // Samples that an option has locked away are fitted by now; a frame that drifts is elsewhere when they were
+    // measured.
     if prepared.locked.contains(&true) || values.noise_is_slow() {
         return None;
     }

@@ -32,7 +32,7 @@ use crate::diagnosis::search::worth;
 /// The largest number of values of shapes in a fit to all samples.
 const MOST_SHAPE_VALUES: usize = 20_000_000;
 
-/// A model fitted to all samples that count, and how sure its coefficients are.
+/// A model fitted to all samples that count, and the covariance of its coefficients.
 #[derive(Clone)]
 pub(crate) struct Values<'a> {
     pub(crate) problem: Problem<'a>,
@@ -248,7 +248,7 @@ impl<'a> Values<'a> {
         Some(there)
     }
 
-    /// Takes what the selection adds out of the size of a term.
+    /// Subtracts the selection bias from the size of a term.
     pub(crate) fn correct(&mut self, term: &Term, selection: &Selection) {
         self.corrected = true;
         let mut terms = self.model.terms().iter();
@@ -296,7 +296,7 @@ impl<'a> Values<'a> {
         self.solution.model = self.model.clone();
     }
 
-    /// The terms of the model, of which a fit moves the geometry alone.
+    /// The terms of the model, of which a fit changes the geometry alone.
     fn with_names_held(&self) -> Vec<Term> {
         let held = self.model.terms().iter().map(|term| {
             let mut term = term.clone();
@@ -309,8 +309,8 @@ impl<'a> Values<'a> {
         held.collect()
     }
 
-    /// With what no sample shows where it is likeliest ([`crate::fit::unseen`]). The model of `identify` is completed as
-    /// `identify` does it, with the samples as weighed there.
+    /// With undetermined combinations at their likeliest values ([`crate::fit::unseen`]). The model of `identify` is
+    /// completed as `identify` does it, with the weights of the samples there.
     #[must_use]
     pub(crate) fn completed(mut self, prepared: &PreparedSearch) -> Self {
         let known = self.covariance.as_ref();
@@ -439,7 +439,7 @@ impl<'a> Values<'a> {
         at.map_or_else(Vec::new, |at| self.estimates[at].clone())
     }
 
-    /// Estimates of what belongs to every calibration.
+    /// Estimates of the parameters of every calibration.
     pub(crate) fn identified(&self) -> Vec<Estimate> {
         let several = self.model.robot.joints.len() > 1 || self.problem.observed.is_some();
         let terms = self.model.terms().iter().zip(&self.estimates);
@@ -451,7 +451,7 @@ impl<'a> Values<'a> {
     }
 }
 
-/// An interval that holds the value of an estimate as well; a phase comes round after 360°.
+/// An interval extended to contain the value of an estimate; a phase comes round after 360°.
 fn holding(estimate: &Estimate, [low, high]: [f64; 2]) -> [f64; 2] {
     let value = estimate.value;
     let turns = if estimate.name.starts_with("phase") {
