@@ -513,17 +513,17 @@ pub fn report_of_diagnosis(
     }
     let session = &*session;
     // What is reported is the session that was diagnosed: without its set-up errors.
-    let mended = corrected_session(session, options.joint_values).session;
+    let corrected = corrected_session(session, options.joint_values).session;
     let all_found = hand_out_next_best(&found.calibration(session), session)?.calibration;
     let calibration = in_use.unwrap_or(&all_found);
     let evidence = Evidence {
-        session: &mended,
+        session: &corrected,
         as_read: session,
         found,
         all_found: &all_found,
         in_use,
         verification: verify(calibration, session)?,
-        standards: standards(&mended, Some(calibration)),
+        standards: standards(&corrected, Some(calibration)),
     };
     Report::of_session(&evidence, extras)
 }

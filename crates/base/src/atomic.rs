@@ -1,10 +1,9 @@
-//! Outputs that are written whole or not at all.
+//! Atomic output: files that are written whole or not at all.
 //!
-//! A file is first written under a name of its own in the folder where it is to stand, brought to
-//! the disk, and only then given its name: a rename is atomic. A full disk, a failure half way or a
-//! kill leaves what was there before. (SIGKILL may leave the unfinished file, whose name starts
-//! with `.truepose-`; nothing reads it, and the next write into the folder removes it: see
-//! [`unfinished`](crate::unfinished).)
+//! A file is first written under a temporary name in its folder, brought to the disk, and only then renamed: a rename
+//! is atomic. A full disk, a failure half way or a kill leaves what was there before. (SIGKILL may leave the
+//! unfinished file, whose name starts with `.truepose-`; nothing reads it, and the next write into the folder removes
+//! it: see [`unfinished`](crate::unfinished).)
 //!
 //! What an output may replace is decided here too: never an input, and another file only by force.
 
@@ -32,17 +31,17 @@ pub enum WriteError {
     },
     /// The file exists, and replacing it was not allowed.
     Exists(PathBuf),
-    /// A directory or a device stands there.
+    /// It is a directory or a device.
     NotAFile(PathBuf),
     /// Two outputs of one command are the same file.
     SameName(PathBuf),
     /// The watcher asked to stop before the file had its name.
     Cancelled(PathBuf),
-    /// The system says no.
+    /// The system refused.
     Io {
         /// The output.
         path: PathBuf,
-        /// What the system says.
+        /// The error of the system.
         source: io::Error,
     },
 }
@@ -139,7 +138,7 @@ pub struct StagedFile {
     file: TemporaryFile,
     /// As the user named it.
     named: PathBuf,
-    /// Where it is to stand, links resolved.
+    /// Its path, links resolved.
     path: PathBuf,
     force: bool,
 }
@@ -159,7 +158,7 @@ impl StagedFile {
                 source,
             }
         };
-        let path = standing_at(named, force)?;
+        let path = destination(named, force)?;
         let folder = folder_of(&path);
         unfinished::remove_stale(folder);
         let prefix = unfinished::prefix();
@@ -239,10 +238,10 @@ impl Drop for TemporaryFile {
     }
 }
 
-/// Gives two files their names, both or neither as far as the file system allows: when the second
-/// rename fails, the first file gets its old content back. One folder is synchronised once, after
-/// both; two writers of one folder take turns, and no signal comes between. Between the two renames
-/// SIGKILL leaves the new first and the old second: what is in the second says which first is its own.
+/// Renames two files, both or neither as far as the file system allows: when the second rename fails, the first file
+/// gets its old content back. One folder is synchronised once, after both; two writers of one folder take turns, and
+/// no signal comes between. Between the two renames SIGKILL leaves the new first and the old second: the second
+/// contains which first belongs to it.
 pub fn commit_both(first: StagedFile, second: StagedFile) -> Result<(), WriteError> {
     let (first_path, second_path) = (first.path.clone(), second.path.clone());
     let (folder, other) = (folder_of(&first_path), folder_of(&second_path));
@@ -298,8 +297,8 @@ fn turn_of(folder: &Path) -> Option<fs::File> {
     None
 }
 
-/// Where an output really is to stand, or why it must not.
-fn standing_at(named: &Path, force: bool) -> Result<PathBuf, WriteError> {
+/// The path of an output, or why it is refused.
+fn destination(named: &Path, force: bool) -> Result<PathBuf, WriteError> {
     match fs::metadata(named) {
         Ok(old) if !old.is_file() => Err(WriteError::NotAFile(named.to_path_buf())),
         Ok(_) if !force => Err(WriteError::Exists(named.to_path_buf())),
@@ -334,7 +333,7 @@ fn sync_folder(folder: &Path) {
     if cfg!(unix)
         && let Ok(folder) = fs::File::open(folder)
     {
-        // Some file systems cannot; the rename stays atomic all the same.
+        // Some file systems cannot; the rename is atomic nevertheless.
         drop(folder.sync_all());
     }
 }

@@ -1,6 +1,6 @@
-//! How much is enough to compute: what a search, an iteration or a list is bounded by.
+//! Budgets of computation: the bounds of a search, an iteration or a list.
 
-/// Samples that tell a statistic of a long session: its root mean square to 1/√(2·1500), a fiftieth.
+/// Samples for a statistic of a long session: they give its root mean square to 1/√(2·1500), a fiftieth.
 pub const SAMPLES: usize = 1500;
 /// Samples of a trial, of which there are hundreds: a root mean square to 1/√(2·400), a thirtieth.
 pub const OF_A_TRIAL: usize = 400;
@@ -12,16 +12,17 @@ pub const STEPS: usize = 60;
 pub const ROUNDS: usize = 8;
 /// Of what a first-order estimate ranks so many are fitted, or tried, before one is chosen or the next believed.
 pub const LIKELIEST: usize = 3;
-/// An estimate of a noise that changes by no more than this, as a logarithm, has settled: [`SAMPLES`] tell it to as much.
+/// An estimate of a noise that changes by no more than this, as a logarithm, has converged: [`SAMPLES`] give it to as
+/// much.
 pub const SETTLED: f64 = 0.02;
-/// Draws of noise that tell a chance near a half to 3 %, and what is as rare as one in fifty to a half of itself.
+/// Draws of noise that give a chance near a half to 3 %, and one of one in fifty to a half of itself.
 pub const DRAWS: usize = 250;
 /// Columns, rows or poses that go through a computation at once: enough to fill vectors and blocks, little enough to stay
 /// in the cache.
 pub const AT_ONCE: usize = 512;
 /// Numbers of a result that are kept for when it comes again (16 MiB).
 pub const NUMBERS_KEPT: usize = 1 << 21;
-/// So many of a kind are listed for a reader, or held against what is said.
+/// So many of a kind are listed for a reader, or compared with the answer.
 pub const LISTED: usize = 6;
 /// Parts into which samples are dealt to be held out in turn.
 pub const FOLDS: usize = 5;

@@ -1,7 +1,7 @@
-//! What is wrong with an input, where, and what to do next.
+//! Diagnostics: what is wrong with an input, where, and what to do next.
 //!
-//! Bad data yields diagnostics, bugs yield panics. A reader collects every problem it can find
-//! before it gives up, so that a technician mends a file once and not ten times.
+//! Bad data yields diagnostics, bugs yield panics. A reader collects every problem it can find before it gives up, so
+//! that a technician corrects a file once and not ten times.
 
 use crate::text::Text;
 use std::io;
@@ -88,9 +88,9 @@ pub struct Diagnostic {
     pub severity: Severity,
     /// Where it is.
     pub place: Place,
-    /// What stands there.
+    /// The content of that place.
     pub found: Text,
-    /// What should stand there; empty for a plain note.
+    /// The expected content; empty for a plain note.
     pub expected: Text,
     /// The samples that it is about, counted from 0; empty where it is about none in particular.
     pub samples: Vec<usize>,
@@ -219,7 +219,7 @@ pub fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     for severity in [Severity::Note, Severity::Warning, Severity::Error] {
         let more = counts[severity as usize].saturating_sub(MOST_FINDINGS);
         if let Some(place) = first_more[severity as usize].take() {
-            let says = match severity {
+            let summary = match severity {
                 Severity::Note => {
                     text!(one "{count} more note like these", "{count} more notes like these", count = more)
                 }
@@ -232,7 +232,7 @@ pub fn summarised(findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
             };
             kept.push(Diagnostic {
                 severity,
-                ..Diagnostic::note(place, says)
+                ..Diagnostic::note(place, summary)
             });
         }
     }

@@ -15,7 +15,7 @@ use crate::diagnostic::unreadable;
 /// What was found and what was expected.
 pub type Refusal = (Text, Text);
 
-/// Opens a regular file and says how long it is.
+/// Opens a regular file and returns its length.
 pub fn open_regular(path: &Path) -> Result<(File, u64), Refusal> {
     let failed = |error: &io::Error| (unreadable(error), text!("a file that can be read"));
     // Looked at before it is opened, and once more after, lest it was exchanged in between.

@@ -64,7 +64,7 @@ pub fn turned(v: [f64; 3], axis: [f64; 3], sin: f64, cos: f64) -> [f64; 3] {
     ]
 }
 
-/// A vector of every lane [`turned`] about one axis by an angle of its own.
+/// A vector of every lane [`turned`] about one axis by a separate angle.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "a part of wide loops")]
 pub fn turn_lanes(v: &mut Lanes3, axis: [f64; 3], sin: &Lanes, cos: &Lanes) {
@@ -74,7 +74,7 @@ pub fn turn_lanes(v: &mut Lanes3, axis: [f64; 3], sin: &Lanes, cos: &Lanes) {
     }
 }
 
-/// `a + b·k` in every lane, with a factor of its own.
+/// `a + b·k` in every lane, with a separate factor.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "as turn_lanes")]
 pub fn add_scaled_lanes(a: &mut Lanes3, b: [f64; 3], k: impl Fn(usize) -> f64) {

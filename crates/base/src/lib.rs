@@ -1,5 +1,5 @@
-//! What all of truepose stands on and that knows of no measurement: sentences, complaints, units, files, small
-//! numerics, and the geometry of robots.
+//! The base of all of truepose, without any measurement: sentences, diagnostics, units, files, small numerics, and the
+//! geometry of robots.
 //!
 //! A part of `truepose`, which shows what of it is public; the rest changes with any version.
 

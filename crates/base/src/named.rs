@@ -1,5 +1,5 @@
-//! Enums whose values have names: each value stands once, with its name beside it. Names are `&str`, or of the type
-//! behind an arrow.
+//! Enums whose values have names: each value is declared once, together with its name. Names are `&str`, or of the
+//! type behind an arrow.
 //!
 //! ```text
 //! named! {

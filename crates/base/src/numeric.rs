@@ -1,4 +1,4 @@
-//! What the standard library lacks for numbers.
+//! Small functions on numbers that the standard library lacks.
 
 use std::borrow::Borrow;
 
@@ -7,7 +7,7 @@ pub const GOLDEN_RATIO: f64 = 0.618_033_988_749_894_9;
 /// The same part of a turn, rad, the shorter way round: no two joints share its multiples, and no robot is built to be
 /// singular at one.
 pub const GOLDEN_ANGLE: f64 = std::f64::consts::TAU * (1.0 - GOLDEN_RATIO);
-/// As far as what is linear at a pose is followed in one step, rad: there its second-order part reaches 5 % of it.
+/// The longest step for which a linearisation at a pose is used, rad: there its second-order part reaches 5 % of it.
 pub const LONGEST_TURN: f64 = 0.3;
 
 /// Smallest and largest of the finite values; of none +∞ and −∞.

@@ -1,4 +1,4 @@
-//! How sure is sure: the levels that evidence is held against, each by how seldom noise alone reaches it.
+//! Levels of evidence, each by how seldom noise alone reaches it.
 
 use statrs::distribution::{ContinuousCDF, Normal};
 
@@ -6,18 +6,19 @@ use statrs::distribution::{ContinuousCDF, Normal};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OnceIn(pub f64);
 
-/// Two explanations within this are both open. (`hidden_effects component`, λ = 100: named or in the set 90 % of 98, then
-/// 99 % of 210; with a drift or a step of the frame held against slow noise by the same, no more of the machine is named.)
+/// Two explanations within this are both open. (`hidden_effects component`, λ = 100: named or in the set 90 % of 98,
+/// then 99 % of 210; with a drift or a step of the frame compared with slow noise by the same, no more of the machine
+/// is named.)
 pub const OPEN: OnceIn = OnceIn(20.0);
 /// What one look at the data is taken for granted by.
 pub const LIKELY: OnceIn = OnceIn(100.0);
-/// What is taken to be there. A search takes a step for each effect that is there: with three of them a right answer gets a
-/// wrong addition in less than one session of a hundred, and most of the one in a hundred for false alarms is left for
-/// what a simulation does not know of (tails, drifts, correlation).
+/// What is taken for present. A search takes a step for each effect that is present: with three of them a right answer
+/// gets a wrong addition in less than one session of a hundred, and most of the one in a hundred for false alarms
+/// remains for what a simulation does not contain (tails, drifts, correlation).
 pub const TAKEN: OnceIn = OnceIn(500.0);
-/// What is said aloud although nobody asked.
+/// What is reported although nobody asked.
 pub const CLEAR: OnceIn = OnceIn(1000.0);
-/// What is rare in itself, as one session in a hundred has it, and has to be clear all the same.
+/// What is rare a priori, as one session in a hundred has it, and has to be clear nevertheless.
 pub const RARE: OnceIn = OnceIn(1e5);
 /// No noise does that, nor what the noise is taken to be and is not.
 pub const BEYOND_DOUBT: OnceIn = OnceIn(1e13);

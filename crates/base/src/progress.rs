@@ -1,11 +1,11 @@
-//! How far long work is, and whether anybody still wants it.
+//! The progress of long work, and its cancellation.
 //!
-//! Work that takes its time is given a `watch`, as `simulation::simulate` is: it
-//! hears now and then which part is done, from 0 to 1 and never less than before, and answers
-//! whether to go on. Once it said no the work is [`Cancelled`], whatever it says later.
+//! Long work is given a `watch`, as `simulation::simulate` is: it receives now and then which part is done, from 0 to
+//! 1 and never less than before, and answers whether to go on. Once it answered no the work is [`Cancelled`], whatever
+//! it answers later.
 //!
-//! Work is made of parts. A `ProgressSpan` goes from 0 to 1 by itself, knows where in the whole it lies,
-//! and is cheap to hand on; a reader of a file does not know what is done with it afterwards.
+//! Work is made of parts. A `ProgressSpan` goes from 0 to 1, has its place in the whole, and is cheap to hand on; a
+//! reader of a file does not know what is done with it afterwards.
 
 use std::cell::Cell;
 use std::io;
@@ -62,7 +62,7 @@ pub fn unwatched(_: f64) -> ControlFlow<()> {
 #[doc(hidden)]
 pub struct Progress<'a> {
     watch: &'a dyn Fn(f64) -> ControlFlow<()>,
-    /// Which part is done, as it was told last.
+    /// The part that is done, as last reported.
     share: Cell<f64>,
     cancelled: Cell<bool>,
 }
@@ -109,7 +109,7 @@ impl ProgressSpan<'_> {
         }
     }
 
-    /// For work of unknown length: a third of what is left.
+    /// For work of unknown length: a third of the remaining part.
     #[must_use]
     pub fn next_pass(self) -> Self {
         let from = self.progress.share.get().clamp(self.from, self.to);
@@ -124,15 +124,15 @@ impl ProgressSpan<'_> {
     pub fn reached(self, share: f64) -> Result<(), Cancelled> {
         let Progress {
             watch,
-            share: told,
+            share: reported,
             cancelled,
         } = self.progress;
         if cancelled.get() {
             return Err(Cancelled);
         }
         let now = self.part(share.clamp(0.0, 1.0), 1.0).from.min(1.0);
-        told.set(told.get().max(now));
-        match watch(told.get()) {
+        reported.set(reported.get().max(now));
+        match watch(reported.get()) {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(()) => {
                 cancelled.set(true);
@@ -160,7 +160,7 @@ impl ProgressSpan<'_> {
         Ok(())
     }
 
-    /// For work that is given a watch of its own.
+    /// For work that is given its own watch.
     pub fn watch(self) -> impl Fn(f64) -> ControlFlow<()> {
         move |share| match self.reached(share) {
             Ok(()) => ControlFlow::Continue(()),
@@ -184,7 +184,7 @@ mod tests {
             let second = progress.whole().part(0.5, 1.0);
             second.reached(0.5)?;
             second.part(0.5, 1.0).counted(1, 2)?;
-            // What is less than was told already is told as that.
+            // What is less than was reported already is reported as that.
             second.reached(0.0)?;
             progress.whole().reached(7.0)
         });

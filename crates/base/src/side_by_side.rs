@@ -1,7 +1,7 @@
 //! Independent parts of a computation on several threads.
 //!
 //! Every part gives what it would give alone, and the parts are put together in their order: the answer has the same
-//! bits on one thread and on many. What is split has to be long beside the start of a thread (some tens of
+//! bits on one thread and on many. A part has to be long compared with the start of a thread (some tens of
 //! microseconds).
 
 use std::thread::{available_parallelism, scope};

@@ -5,11 +5,11 @@
 //! sin r = r − r³/3! + … + r¹⁷/17!,       cos r = 1 − r²/2! + … + r¹⁶/16!
 //! ```
 //!
-//! The terms left out are below 3e-18. π/2 is subtracted in two parts, the first of 33 bits, so that
-//! k times it is exact for |k| < 2²⁰; what rounding does to the second is below 1e-21 (Cody & Waite, *Software Manual for the Elementary
-//! Functions*, 1980). There is no branch and no table in the loop, so two or four angles go through
-//! the processor together; an angle too large for the reduction takes the standard library's way, and
-//! each angle has the same answer whatever stands beside it.
+//! The terms left out are below 3e-18. π/2 is subtracted in two parts, the first of 33 bits, so that k times it is
+//! exact for |k| < 2²⁰; the rounding of the second is below 1e-21 (Cody & Waite, *Software Manual for the Elementary
+//! Functions*, 1980). There is no branch and no table in the loop, so two or four angles go through the processor
+//! together; an angle too large for the reduction is left to the standard library, and the answer for each angle does
+//! not depend on the others.
 //!
 //! Largest absolute error: 2.3e-16 over ±1e5 rad, against the standard library (a test).
 
@@ -23,8 +23,7 @@ const LARGEST_RAD: f64 = 1e5;
 const HALF_PI_HIGH: f64 = 1.5707963267341256;
 const HALF_PI_LOW: f64 = 6.077100506506192e-11;
 
-/// Adding 1.5·2⁵² leaves no bits for a fraction: the sum is rounded to a whole number, which then
-/// stands in the low bits.
+/// Adding 1.5·2⁵² leaves no bits for a fraction: the sum is rounded to a whole number, which is then in the low bits.
 const ROUNDING: f64 = 6755399441055744.0;
 
 /// Writes the sines and cosines of `angles_rad`; all three slices have one length.

@@ -6,8 +6,8 @@
 //! is out of it. So no end comes between the two renames of a session either; only what cannot be
 //! caught (SIGKILL, a power failure) can.
 //!
-//! What a killed program left behind is removed at the next write into that folder: the process of
-//! its name is not there any more, and nothing holds its lock.
+//! The remains of a killed program are removed at the next write into that folder: the process of its name does not
+//! exist any more, and nothing holds its lock.
 
 use std::fs::{self, File};
 use std::io;
@@ -28,19 +28,19 @@ pub(crate) struct List(MutexGuard<'static, Vec<PathBuf>>);
 
 impl List {
     pub(crate) fn locked() -> Self {
-        // A thread that panicked left the list as it was: whole.
+        // After the panic of a thread the list is as it was: whole.
         Self(UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// A file in `folder` under a name of its own, with the permissions that `builder` has.
+    /// A file in `folder` under a temporary name, with the permissions that `builder` has.
     pub(crate) fn make(
         &mut self,
         folder: &Path,
         builder: &mut Builder<'_, '_>,
     ) -> io::Result<NamedTempFile> {
         let file = builder.tempfile_in(folder)?;
-        // Held while the file is open; the system lets go of it when the process ends, however.
-        // Where a file system has no locks the number of the process alone says whose it is.
+        // Held while the file is open; the system releases it when the process ends, however. Where a file system has
+        // no locks the number of the process alone shows whose it is.
         let _ = file.as_file().try_lock();
         self.0.push(file.path().to_path_buf());
         Ok(file)
@@ -74,7 +74,7 @@ pub fn remove_all() {
     std::mem::forget(list);
 }
 
-/// Removes what processes that are not there any more left in a folder.
+/// Removes the remains of processes that do not exist any more from a folder.
 pub(crate) fn remove_stale(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;
@@ -101,7 +101,7 @@ fn owner(name: &str) -> Option<u32> {
     owner.parse().ok().filter(|_| unfinished)
 }
 
-/// Whether a process of this number may be there; where the system does not say, it may.
+/// Whether a process of this number may exist; where the system does not report it, it may.
 fn is_running(process: u32) -> bool {
     let all = Path::new("/proc");
     let known = all.join(process::id().to_string()).exists();

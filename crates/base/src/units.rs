@@ -1,8 +1,8 @@
-//! Conversions at the edges of the program.
+//! Conversions of units at the edges of the program.
 //!
-//! Inside, every quantity is in one fixed unit, and its name says which: lengths in mm, angles in
-//! rad, times in s, masses in kg, temperatures in °C, torques in N·m. Files and screens speak in
-//! the units that technicians use; they convert here and nowhere else.
+//! Inside, every quantity is in one fixed unit, which is part of its name: lengths in mm, angles in rad, times in s,
+//! masses in kg, temperatures in °C, torques in N·m. Files and screens use the units of technicians; they convert here
+//! and nowhere else.
 
 use std::f64::consts::PI;
 

@@ -1,14 +1,14 @@
 //! Lets hot loops use the processor's wide vectors where it has them.
 //!
-//! A program that has to start on every x86-64 processor is compiled for vectors of two doubles.
-//! [`wide`] compiles what it is given for vectors of four and of eight as well, and takes the widest way
-//! that the processor says it can. Every operation is the same one, element by element and in the
-//! same order (no fused multiply-add), so all ways give the same bits.
+//! A program that has to start on every x86-64 processor is compiled for vectors of two doubles. [`wide`] compiles its
+//! argument for vectors of four and of eight as well, and takes the widest way that the processor supports. Every
+//! operation is the same one, element by element and in the same order (no fused multiply-add), so all ways give the
+//! same bits.
 
-/// A hot loop. `run` has to be `#[inline(always)]`, and what it calls inlined as well: only what
-/// stands inside the caller is compiled for wide vectors.
+/// A hot loop. `run` has to be `#[inline(always)]`, and what it calls inlined as well: only code inside the caller is
+/// compiled for wide vectors.
 pub trait Loop {
-    /// What it gives.
+    /// Its result.
     type Output;
     fn run(self) -> Self::Output;
 }

@@ -1,5 +1,5 @@
-//! From samples to a model that is known to be better: checks of rows and of the set-up, the fit, the diagnosis,
-//! compensation, and poses to measure next.
+//! Calibration: from samples to a model whose errors are known. Checks of rows and of the set-up, the fit, the
+//! diagnosis, compensation, and poses to measure next.
 //!
 //! A part of `truepose`, which shows what of it is public; the rest changes with any version.
 

@@ -1,4 +1,4 @@
-//! What the paper's regional model misses, seen from where the diagnosis ends.
+//! The errors of the paper's regional model that the exact model explains.
 //!
 //! The paper drops the rotation between the lamp's frame and the base frame (its equation (5)),
 //! and corrects each region by a constant. Whether that rotation is what is missing shows in two
@@ -30,13 +30,13 @@ use crate::diagnosis::Diagnosis;
 /// A turn this near to 1 is one.
 const TURNS: f64 = 0.1;
 
-/// The paper's regional model of a session, held against the exact one.
+/// The paper's regional model of a session, compared with the exact one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RegionalStart {
     /// The paper's identification of the session.
     pub regional: Identification,
-    /// By how many degrees the deviation turns, within a region, for each degree of the joint;
-    /// `None` where the regions are too small to say.
+    /// By how many degrees the deviation turns, within a region, for each degree of the joint; `None` where the
+    /// regions are too small to determine it.
     pub turn: Option<f64>,
     /// The constant error of the final model as a correction: Δθ in rad and Δl1 in mm.
     pub one_correction: (f64, f64),
@@ -61,8 +61,8 @@ pub fn regional_start(
     let session = &*session.whole()?;
     let of_another = diagnosis.model.robot.joints.len() != session.robot.joints.len();
     if of_another {
-        let says = text!("the diagnosis is of a robot with another number of joints");
-        return Err(IdentifyError::NotASingleRevoluteJoint(says));
+        let summary = text!("the diagnosis is of a robot with another number of joints");
+        return Err(IdentifyError::NotASingleRevoluteJoint(summary));
     }
     let regional = identify_regional(session, &RegionChoice::FromSession, values)?;
     let constants = |id: &str| DEFAULT_EFFECTS.contains(&id);
@@ -83,14 +83,14 @@ pub fn regional_start(
     });
     let apart_mm = apart.fold(0.0, f64::max);
     let turn = turn(session, &regional, values);
-    let says = describe(&regional, turn, (theta, l1), apart_mm, diagnosis);
+    let summary = describe(&regional, turn, (theta, l1), apart_mm, diagnosis);
     let both = of_one.regions.iter().map(|r| &r.correction);
     Ok(RegionalStart {
         of_one_error: both.map(|c| (c.theta_rad, c.l1_mm)).collect(),
         one_correction: (theta, l1),
         turn,
         apart_mm,
-        summary: says,
+        summary,
         regional,
     })
 }

@@ -1,24 +1,23 @@
-//! From when on a difference counts, as a share of the robot's size or as a ratio: what a robot leaves, a fit, or a mistake
-//! of setting up.
+//! Thresholds of residuals, as a share of the robot's size or as a ratio: of a robot, a fit, or a set-up error.
 
-/// An error above this share of the robot's size is gross: effects leave less, so that it is of the rows, the set-up or the
-/// description. (Derived: a set-up error moves the tool by more than a hundredth of the robot's size; no robot that can be
-/// calibrated repeats worse.)
+/// An error above this share of the robot's size is gross: residual effects are smaller, so that it is of the rows,
+/// the set-up or the description. (Derived: a set-up error moves the tool by more than a hundredth of the robot's
+/// size; no robot that can be calibrated repeats worse.)
 pub(crate) const GROSS_SHARE: f64 = 0.01;
 /// The same of an angle: a hundredth of a turn.
 pub(crate) const GROSS_TURN_RAD: f64 = GROSS_SHARE * std::f64::consts::TAU;
-/// What a robot may leave that was never calibrated, as a share of its size or of the spread of the points. (Measured: of
-/// 119 sessions, real, of practice and bundled, no model leaves more than 0.0019.)
+/// The largest residual of a robot that was never calibrated, as a share of its size or of the spread of the points.
+/// (Measured: of 119 sessions, real, of practice and bundled, no model has a residual of more than 0.0019.)
 pub(crate) const PLAUSIBLE_SHARE: f64 = 0.03;
 /// RMS errors within this ratio are equal, and the simpler is taken: noise alone moves the RMS of a hundred coordinates by
 /// 7 % (1/√(2n)).
 pub(crate) const EQUAL: f64 = 1.02;
-/// Noise that is so many times what it was said to be is not what it was said to be, if samples enough show it.
+/// Noise that is so many times its stated size contradicts the statement, if samples enough show it.
 /// Calibrated (`hidden_effects verdict`): no false flag in 160 sessions.
 pub(crate) const NOTICEABLE: f64 = 1.15;
-/// Two figures of the same agree within this ratio: what a fit says of samples and what others show.
+/// Two estimates of the same figure agree within this ratio: that of a fit and that of other samples.
 pub(crate) const WITHIN: f64 = 2.0;
-/// So many times as large is of another kind.
+/// A figure that is so many times as large is of another kind.
 pub(crate) const FAR: f64 = 5.0;
 /// Less than any instrument shows, mm.
 pub(crate) const NOTHING_MM: f64 = 1e-3;

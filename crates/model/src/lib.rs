@@ -1,5 +1,5 @@
-//! The robot as it is: physical effects, the exact forward map with its derivatives, what instruments see of it, and
-//! simulated sessions.
+//! The model of the real robot: physical effects, the exact forward map with its derivatives, what instruments measure
+//! of it, and simulated sessions.
 //!
 //! A part of `truepose`, which shows what of it is public; the rest changes with any version.
 

@@ -32,7 +32,7 @@ impl Robot {
         motion * self.base_from_tool
     }
 
-    /// Where a point that is fixed in the tool frame stands in the base frame at `q`, mm.
+    /// The place of a point that is fixed in the tool frame, in the base frame at `q`, mm.
     ///
     /// Only the point is moved.
     pub fn point_in_base(&self, q: &[f64], point_in_tool: &Point3<f64>) -> Point3<f64> {
@@ -46,8 +46,8 @@ impl Robot {
             })
     }
 
-    /// The motion from home of what stands before and behind each joint: n + 1 motions, the first
-    /// that of the base (none), the last that of the tool.
+    /// The motion from home of the parts before and behind each joint: n + 1 motions, the first that of the base
+    /// (none), the last that of the tool.
     pub fn motions_from_home(&self, q: &[f64]) -> Vec<Pose> {
         let mut motions = Vec::with_capacity(self.joints.len() + 1);
         let mut motion = Pose::identity();

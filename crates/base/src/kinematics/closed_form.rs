@@ -1,5 +1,5 @@
-//! All joint values of two shapes of six-joint arms at once: with a spherical wrist, and with three parallel
-//! axes.
+//! Closed-form inverse kinematics: all joint values of two shapes of six-joint arms, with a spherical wrist, and with
+//! three parallel axes.
 //!
 //! ```text
 //! g = e₁ e₂ e₃ e₄ e₅ e₆,   g = goal · home⁻¹,   eᵢ the turn about axis i at home
@@ -7,10 +7,10 @@
 //! three parallel (2 ∥ 3 ∥ 4; 5, 6 meet in w):  g w = e₁ e₂ e₃ e₄ w,  then q₅, q₆, then a plane arm
 //! ```
 //!
-//! A turn about parallel axes does not change the height along them, which gives q₁; what is left are
-//! triangles and turns about one axis (Paden 1986, Kahan 1983; Murray, Li and Sastry 1994, section 3.3).
-//! Where one of them is undetermined (a stretched wrist, a wrist over axis 1) there is no answer, and the
-//! search of [`super::inverse`] has to do.
+//! A turn about parallel axes does not change the height along them, which gives q₁; the remaining problems are
+//! triangles and turns about one axis (Paden–Kahan subproblems: Paden 1986, Kahan 1983; Murray, Li and Sastry 1994,
+//! section 3.3). Where one of them is undetermined (a stretched wrist, a wrist over axis 1) there is no answer, and
+//! the iteration of [`super::inverse`] is used.
 
 use nalgebra::{Rotation3, Unit, Vector3};
 
@@ -22,7 +22,7 @@ use super::robot::Robot;
 
 /// Axes cross from this sine on (6°).
 const CROSSING: f64 = 0.1;
-/// Of a circle that is smaller than this (a part of the reach, or a sine) an angle says nothing.
+/// On a circle that is smaller than this (a part of the reach, or a sine) an angle is undetermined.
 const NO_CIRCLE: f64 = 1e-5;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,7 +84,7 @@ impl ClosedForm {
         let g = goal * self.home.inverse();
         let wrist = g.rotation * self.wrist + g.translation.vector;
         let along = self.axes[1].into_inner();
-        // The height of the wrist along the parallel axes, turned back about axis 1, says q1.
+        // The height of the wrist along the parallel axes, turned back about axis 1, gives q1.
         let height = along.dot(&(self.wrist - self.points[0]));
         let firsts = self.to_height(0, &(wrist - self.points[0]), &along, height, self.reach_mm)?;
         let mut all = Vec::with_capacity(8);
@@ -135,7 +135,7 @@ impl ClosedForm {
         let (along, w6) = (self.axes[1].into_inner(), self.axes[5].into_inner());
         let back = rotation.inverse() * along;
         for q5 in self.to_height(4, &w6, &along, along.dot(&(rotation * w6)), 1.0)? {
-            // e₆ turns what e₅ leaves of the parallel direction.
+            // e₆ turns the parallel direction after e₅ has turned it.
             let q6 = -self.angle(5, &(self.turned(4, -q5) * along), &back, 1.0)?;
             let plane = rotation * self.turned(5, -q6) * self.turned(4, -q5);
             let total = self.own_angle(1, &plane);

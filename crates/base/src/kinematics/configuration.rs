@@ -1,9 +1,9 @@
-//! What a robot program says about the configuration of a pose, and whether joint values agree.
+//! The configuration of a pose in a robot program, and whether joint values agree with it.
 //!
-//! Quadrants, signs and turns are those of a joint's value and hold for any robot. Which side of the
-//! first axis the wrist is on, and which side of the lower arm, is told from the wrist's centre (where
-//! the last three axes meet) against where it is at home, as far as it is off the axis there. A robot
-//! without such a wrist has no such sides, and what a program says about them is not looked at.
+//! Quadrants, signs and turns are those of a joint's value and apply to any robot. Which side of the first axis the
+//! wrist is on, and which side of the lower arm, is determined from the wrist's centre (where the last three axes
+//! meet) against where it is at home, as far as it is off the axis there. A robot without such a wrist has no such
+//! sides, and what a program states about them is ignored.
 
 use super::inverse::REACHED_RAD;
 use crate::rounding;
@@ -54,8 +54,8 @@ pub enum Statement {
 }
 
 impl Statement {
-    /// Whether it is certain what it means: a joint's value is counted alike by every maker, a side
-    /// is defined by each for its own arms.
+    /// Whether its meaning is certain: every maker counts a joint's value alike, a side is defined by each for its own
+    /// arms.
     pub fn is_certain(&self) -> bool {
         let of_a_joint = [
             matches!(self, Self::Quadrant { .. }),
@@ -106,7 +106,7 @@ pub fn turns_of(angle: f64) -> i64 {
     (angle / TAU).round() as i64
 }
 
-/// What the sides of a robot with six turning joints and a spherical wrist are told by.
+/// The references for the sides of a robot with six revolute joints and a spherical wrist.
 struct Sides {
     /// Where the last three axes meet, at home, base frame, mm.
     wrist_mm: Point3<f64>,

@@ -25,8 +25,8 @@ pub struct DescribedRobot {
     pub files: Vec<PathBuf>,
 }
 
-/// The chain from `base` to `tip` (links; bodies or sites in MJCF) of the file at `path`. Without a
-/// `format` the file's outermost element says which it is.
+/// The chain from `base` to `tip` (links; bodies or sites in MJCF) of the file at `path`. Without a `format` the
+/// file's outermost element determines it.
 ///
 /// # Errors
 /// A file that cannot be read, and all of [`robot_from_urdf`](super::robot_from_urdf) and

@@ -25,7 +25,7 @@ struct PosedMass {
     weight_n: Vector3<f64>,
     /// In the base frame, mm.
     at_mm: Point3<f64>,
-    /// The last joint that carries it, from 0.
+    /// The last joint that moves it, from 0.
     carried_by: usize,
 }
 

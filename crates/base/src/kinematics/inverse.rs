@@ -32,7 +32,7 @@ pub const REACHED_RAD: f64 = 2e-4;
 /// Solutions nearer to each other than this (rad, or the same part of the reach) are one.
 const SAME: f64 = 1e-5;
 /// Solutions of the closed form nearer than this (rad) are searched for: a file rounds more.
-const BESIDE: f64 = 1e-3;
+const NEARBY: f64 = 1e-3;
 
 /// Where the tool is to go.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,7 +80,7 @@ impl<'a> Inverse<'a> {
         }
     }
 
-    /// Whether the goal leaves the free joints only single solutions, not whole lines of them.
+    /// Whether the goal has isolated solutions for the free joints, not whole lines of them.
     pub fn is_determined(&self, goal: &Goal) -> bool {
         self.free.len() <= goal.size()
     }
@@ -150,7 +150,7 @@ impl<'a> Inverse<'a> {
             }
             let q = self.wound_back(q.to_vec());
             // Two that fall together are the border of a singular pose.
-            if found.iter().any(|f| self.distance(f, &q) < BESIDE) {
+            if found.iter().any(|f| self.distance(f, &q) < NEARBY) {
                 return None;
             }
             found.push(q);
@@ -241,7 +241,7 @@ impl<'a> Inverse<'a> {
         q
     }
 
-    /// Whether the tool is where the goal says.
+    /// Whether the tool is at the goal.
     pub fn is_reached(&self, goal: &Goal, q: &[f64]) -> bool {
         let here = self.robot.base_from_tool(q);
         let way = goal.position_mm.coords - here.translation.vector;

@@ -38,9 +38,9 @@ impl Robot {
         columns(&self.joint_twists(q))
     }
 
-    /// In how many independent ways the joints move the tool in a generic pose: at most 6.
+    /// The mobility of the tool in a generic pose: the rank of the Jacobian, at most 6.
     ///
-    /// Fewer than there are joints means that some joints stand in for each other everywhere.
+    /// Fewer than there are joints means that some joints are redundant everywhere.
     pub fn mobility(&self) -> usize {
         let reach_mm = self
             .joints
@@ -55,7 +55,7 @@ impl Robot {
             let mut jacobian = self.space_jacobian(&q);
             // mm against rad: lengths in units of the reach make the singular values comparable.
             jacobian.rows_mut(3, 3).unscale_mut(reach_mm);
-            // A unit column per joint, so that a slide of 1 mm is not small beside a turn of 1 rad.
+            // A unit column per joint, so that a slide of 1 mm is not small compared with a turn of 1 rad.
             for mut column in jacobian.column_iter_mut() {
                 let norm = column.norm();
                 if norm > 0.0 {

@@ -1,4 +1,4 @@
-//! How a joint moves.
+//! The kinds of joints: revolute and prismatic.
 
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -16,7 +16,7 @@ named! {
 }
 
 impl JointKind {
-    /// The user's unit of its values, as names in files carry it: `deg` or `mm`.
+    /// The user's unit of its values, as in names in files: `deg` or `mm`.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Revolute => "deg",
@@ -24,7 +24,7 @@ impl JointKind {
         }
     }
 
-    /// The same unit, as it stands behind a number.
+    /// The same unit, as written behind a number.
     pub fn sign(self) -> &'static str {
         match self {
             Self::Revolute => "°",

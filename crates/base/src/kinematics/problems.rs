@@ -1,4 +1,4 @@
-//! What can be wrong with a robot: numbers that are no numbers, joints that cannot be told apart.
+//! Checks of a robot: numbers that are not finite, joints that cannot be distinguished.
 
 use super::joint_kind::JointKind;
 use super::pose::Pose;
@@ -11,8 +11,8 @@ impl Robot {
     /// Everything that makes the robot unusable (errors) or suspicious (warnings), each at `place`
     /// with the path of the field.
     ///
-    /// Two neighbouring joints on one line are an error: they move the tool alike in every pose,
-    /// so no measurement can tell their zero offsets apart.
+    /// Two neighbouring joints on one line are an error: they move the tool alike in every pose, so that no
+    /// measurement can distinguish their zero offsets.
     pub fn problems(&self, place: &Place) -> Vec<Diagnostic> {
         let mut problems = Vec::new();
         if self.joints.is_empty() {

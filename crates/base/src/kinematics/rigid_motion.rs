@@ -21,7 +21,7 @@ pub fn rigid_motion(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Isometry3<
         .iter()
         .map(|(from, to)| (to - to_centre).norm() * (from - from_centre).norm())
         .sum();
-    // With a thousandth of a millimetre of each, where all stand on one point.
+    // With a thousandth of a millimetre of each, where all are at one point.
     let not_shown = rounding::WRITTEN * (spread + n);
     let mut svd = crate::decompose::svd(moment)?;
     if svd.singular_values.sum() - svd.singular_values.max() < not_shown {

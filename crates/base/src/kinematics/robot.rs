@@ -1,7 +1,7 @@
 //! The robot as a list of joint axes and a tool.
 //!
-//! Everything stands at the home pose (every joint value zero) and in the base frame. Lengths in
-//! mm, angles in rad, masses in kg, gravity in m/s².
+//! Everything is at the home pose (every joint value zero) and in the base frame. Lengths in mm, angles in rad, masses
+//! in kg, gravity in m/s².
 
 use nalgebra::{Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 
@@ -139,7 +139,7 @@ pub struct Range {
     pub to: f64,
 }
 
-/// A joint without a drive of its own: a linkage turns it with another one, as a parallelogram does.
+/// A joint without its own drive: a linkage turns it with another one, as a parallelogram does.
 ///
 /// ```text
 /// q = ratio · q(of) + offset
@@ -167,7 +167,7 @@ pub struct Joint {
     pub limits: Option<Range>,
     /// The link behind the joint, where its mass is known.
     pub link: Option<LinkMass>,
-    /// The joint that it follows, where it has no drive of its own.
+    /// The joint that it follows, where it has no drive.
     pub follows: Option<Follows>,
     /// Turns of the motor for one of the joint, where they are stated.
     pub gear_ratio: Option<f64>,
@@ -188,8 +188,8 @@ impl Joint {
     }
 }
 
-/// How a robot was described, as far as the axes alone do not say it: exports answer in the same
-/// terms. Nothing is computed with it.
+/// The format in which a robot was described, as far as the axes alone do not show it: exports use the same terms.
+/// Nothing is computed with it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum RobotSource {
     /// As joint axes.
@@ -293,7 +293,7 @@ impl Robot {
         points.map(Pose::from).collect()
     }
 
-    /// The same robot with its home where it stands at `at`: its values are counted from there.
+    /// The same robot with its home at `at`: its values are counted from there.
     #[must_use]
     pub fn rehomed(&self, at: &[f64]) -> Self {
         let motions = self.motions_from_home(at);

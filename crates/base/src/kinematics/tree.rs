@@ -4,11 +4,10 @@
 //! base_from_body = base_from_parent · parent_from_body · J_1(q_1 − r_1) · … · J_k(q_k − r_k)
 //! ```
 //!
-//! J is the motion of a joint about or along its own axis, r the value at which the description
-//! draws it. The home pose is q = 0, so that a joint that is drawn at r stands −r from there. The
-//! chain from a base to a tip becomes a [`Robot`]: the base's frame is the base frame, the tip's the
-//! tool, each moving joint one axis at home. What is fixed to a link is part of it; a side branch
-//! with a joint of its own is left out, because its pose is not known.
+//! J is the motion of a joint about or along its own axis, r the value at which the description draws it. The home
+//! pose is q = 0, so that a joint that is drawn at r is −r from there. The chain from a base to a tip becomes a
+//! [`Robot`]: the base's frame is the base frame, the tip's the tool, each moving joint one axis at home. What is
+//! fixed to a link is part of it; a side branch with its own joint is left out, because its pose is not known.
 
 use nalgebra::{Point3, Unit, Vector3};
 
@@ -42,13 +41,13 @@ pub(super) struct BodyJoint {
     pub(super) limits: Option<Range>,
     /// Turns of the motor for one of the joint, where they are stated.
     pub(super) gear_ratio: Option<f64>,
-    /// What it copies, where it has no value of its own.
+    /// The joint that it copies, where it has no value.
     pub(super) mimic: Option<Mimic>,
     pub(super) place: Place,
 }
 
-/// The joint that another one copies, as the description says it: value = ratio · of + offset, in the
-/// units of the description (rad and m).
+/// The joint that another one copies, in the form of the description: value = ratio · of + offset, in the units of the
+/// description (rad and m).
 #[derive(Debug, Clone)]
 pub(super) struct Mimic {
     pub(super) of: String,
@@ -59,11 +58,11 @@ pub(super) struct Mimic {
 /// What is known of a body's mass.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Mass {
-    /// It has none of its own.
+    /// It has none.
     None,
     /// Mass, kg, and centre in the body's frame.
     Known(f64, Point3<f64>),
-    /// It has some, and nothing says how much.
+    /// It has some, of unknown size.
     Unknown,
 }
 
@@ -382,7 +381,7 @@ fn add_mass(link: &mut Option<LinkMass>, mass_kg: f64, centre_mm: Point3<f64>) {
     });
 }
 
-/// Limits where both ends say something.
+/// Limits where both ends are stated.
 pub(super) fn limits(from: f64, to: f64) -> Option<Range> {
     // Some programs write 1e16 for a joint without limits.
     let within = |end: f64| end.abs() <= LARGEST_NUMBER;

@@ -7,9 +7,10 @@
 //! base_from_link(k) = base_from_link(k−1) · Trans(xyz) · Rz(yaw) Ry(pitch) Rx(roll)
 //! ```
 //!
-//! Metres become mm; fixed joints are folded into what they carry. `continuous` is a revolute joint
-//! without limits. Gear ratios are those of `<transmission>` elements. Gravity is not part of URDF, so it stays unknown. Only what matters to kinematics
-//! is looked at here: meshes, materials, plug-ins of simulators, and mistakes in them, are not.
+//! Metres become mm; fixed joints are merged into the links behind them. `continuous` is a revolute joint without
+//! limits. Gear ratios are those of `<transmission>` elements. Gravity is not part of URDF, so it stays unknown. Only
+//! what matters to kinematics is checked here: meshes, materials, plug-ins of simulators, and mistakes in them, are
+//! not.
 //!
 //! Source: the XML specification at wiki.ros.org/urdf/XML. No input makes this panic.
 

@@ -36,8 +36,8 @@ pub struct UrdfChain {
     pub tip: String,
     /// The joints between, from base to tip, fixed ones included.
     pub joints: Vec<UrdfJoint>,
-    /// Whether the robot's tool is the tip; else the tip is the link behind the last joint, and the
-    /// tool was said beside the file.
+    /// Whether the robot's tool is the tip; else the tip is the link behind the last joint, and the tool was stated
+    /// apart from the file.
     pub ends_in_tool: bool,
 }
 
@@ -264,7 +264,7 @@ pub fn urdf_with(
     Ok(written)
 }
 
-/// A line end and the indentation of what stands here, where that begins a line.
+/// A line end and the indentation of the text at `at`, where that begins a line.
 fn indent_before(text: &str, at: usize) -> String {
     let start = text[..at].rfind('\n').map_or(0, |line| line + 1);
     let before = &text[start..at];

@@ -1,9 +1,8 @@
-//! XML documents as lists of elements that know where they stand.
+//! XML documents as lists of elements with their places.
 //!
-//! The elements of a document, and of the documents that it includes, lie in one flat list, so that
-//! nesting as deep as the file is long is only a long list. Line and column are worked out where a
-//! message needs them. What is no well-formed XML is refused with its place; so are numbers that
-//! are none.
+//! The elements of a document, and of the documents that it includes, are in one flat list, so that nesting as deep as
+//! the file is long is only a long list. Line and column are computed where a message needs them. What is no
+//! well-formed XML is refused with its place; so are numbers that are not finite.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -20,7 +19,7 @@ use crate::text::Text;
 const LARGEST_FILE: u64 = 64 << 20;
 /// Documents with more elements and texts than this are no robot descriptions; each wants some 150 bytes.
 const MOST_NODES: u32 = 100_000;
-/// So many files may be included, and so many elements say what another lacks.
+/// So many files may be included, and so many elements name the content of another.
 pub(super) const MOST_FILES: usize = 64;
 
 /// An element, as places in its text.
@@ -53,7 +52,7 @@ pub(super) struct Document {
 /// The outermost element of a document.
 pub(super) const ROOT: usize = 0;
 
-/// What stands in the file where something else should.
+/// The content of the file where something else is expected.
 pub(super) type XmlProblem = (Text, Text);
 
 /// Finds the text of an included file by the name that the document gives it.
@@ -152,8 +151,8 @@ impl Document {
         }
     }
 
-    /// Puts the children of the included documents where the `include` elements stand. A file is
-    /// included once at most.
+    /// Puts the children of the included documents in the place of the `include` elements. A file is included once at
+    /// most.
     ///
     /// # Errors
     /// Files that cannot be had, are included twice, or are not well formed.
@@ -265,7 +264,7 @@ impl Document {
         })
     }
 
-    /// Where an element stands.
+    /// The place of an element.
     pub(super) fn place(&self, index: usize) -> Place {
         let element = &self.elements[index];
         self.place_of(element.source, element.at)
@@ -392,7 +391,7 @@ fn index(at: usize) -> u32 {
     u32::try_from(at).unwrap_or(u32::MAX)
 }
 
-/// A message without the place at its end: that is said in front of it.
+/// A message without the place at its end, which is written in front of it.
 fn without_place(message: &str) -> String {
     match message.rsplit_once(" at ") {
         Some((what, place)) if place.bytes().all(|b| b.is_ascii_digit() || b == b':') => {

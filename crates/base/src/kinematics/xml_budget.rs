@@ -1,4 +1,4 @@
-//! What a robot description may ask of the XML parser, looked at before it is parsed.
+//! Limits on a robot description for the XML parser, checked before it is parsed.
 //!
 //! The parser compares every attribute of an element with the others, keeps every namespace in one list
 //! and writes an entity out wherever it is named: each is fine for a description of a robot and

@@ -1,5 +1,5 @@
-//! The text of an XML document, and parts of it by where they stand: an element, a name and a value of it
-//! are a few bytes each instead of a copy.
+//! The text of an XML document, and parts of it by their positions: an element, a name and a value of it are a few
+//! bytes each instead of a copy.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -62,7 +62,7 @@ impl Source {
             .at_column((at - start) as u64 + 1)
     }
 
-    /// A text that stands at `expected` unless an entity or an escape was written out in it.
+    /// A text at `expected` unless an entity or an escape was written out in it.
     pub(super) fn piece(&mut self, value: &str, expected: Range<usize>) -> Piece {
         let range = if self.text.get(expected.clone()) == Some(value) {
             expected

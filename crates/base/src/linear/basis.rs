@@ -10,10 +10,10 @@ use nalgebra::{DMatrix, DVector};
 use super::products::gram;
 use super::triangle::{inverse_of_lower, small_cholesky};
 
-/// A column of which less than this share is left after projection is a copy of the others.
+/// A column whose projection orthogonal to the others is less than this share of it is a copy of them.
 pub const DEPENDENT: f64 = 1e-6;
 
-/// `C = Q R`, and of which columns enough is left beside those before them.
+/// `C = Q R`, and which columns are linearly independent of those before them.
 fn orthonormal(columns: &DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>, Vec<bool>) {
     let p = columns.ncols();
     let mut q = columns.clone();
@@ -31,9 +31,9 @@ fn orthonormal(columns: &DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>, Vec<bool>
         q *= inverse_of_lower(&factor).transpose();
         r = factor.transpose() * r;
     }
-    let is_left = |k: usize| !is_copy[k] && r[(k, k)] > DEPENDENT * columns.column(k).norm();
-    let is_left = (0..p).map(is_left).collect();
-    (q, r, is_left)
+    let is_independent = |k: usize| !is_copy[k] && r[(k, k)] > DEPENDENT * columns.column(k).norm();
+    let is_independent = (0..p).map(is_independent).collect();
+    (q, r, is_independent)
 }
 
 /// `A = Q R` on the columns that are independent.
@@ -53,11 +53,11 @@ impl Basis {
     pub fn new(a: &DMatrix<f64>) -> Self {
         let mut kept: Vec<usize> = (0..a.ncols()).collect();
         loop {
-            let (q, r, is_left) = orthonormal(&a.select_columns(&kept));
-            // Where little is left of a column the others are noise.
-            let left = kept.iter().zip(is_left).filter(|own| own.1);
-            let left: Vec<usize> = left.map(|own| *own.0).take(a.nrows()).collect();
-            if left.len() == kept.len() {
+            let (q, r, is_independent) = orthonormal(&a.select_columns(&kept));
+            // Behind a dependent column the others are noise.
+            let independent = kept.iter().zip(is_independent).filter(|own| own.1);
+            let independent: Vec<usize> = independent.map(|own| *own.0).take(a.nrows()).collect();
+            if independent.len() == kept.len() {
                 let columns = a.ncols();
                 return Self {
                     q,
@@ -66,7 +66,7 @@ impl Basis {
                     columns,
                 };
             }
-            kept = left;
+            kept = independent;
         }
     }
 
@@ -75,8 +75,8 @@ impl Basis {
         self.kept.len()
     }
 
-    /// How much is left of each kept column beside those that were kept before it.
-    pub fn left(&self) -> impl Iterator<Item = f64> {
+    /// The norm of the projection of each kept column orthogonal to those that were kept before it.
+    pub fn remaining_norms(&self) -> impl Iterator<Item = f64> {
         (0..self.rank()).map(|k| self.r[(k, k)])
     }
 
@@ -156,7 +156,7 @@ impl Basis {
         Some((directions, parts))
     }
 
-    /// Share of row `i` that the fit explains by itself.
+    /// The leverage of row `i`: the share of it that it determines itself.
     pub fn leverage(&self, row: usize) -> f64 {
         self.q.row(row).norm_squared()
     }
@@ -187,7 +187,7 @@ mod tests {
         })
     }
 
-    /// Also where of a column little is left beside those before it, and where rows are few.
+    /// Also for columns that are nearly dependent on those before them, and few rows.
     #[test]
     fn columns_are_orthonormal_and_give_the_matrix_again() {
         for (m, p) in [(203, 9), (32, 5), (70, 70), (5, 9), (0, 3)] {

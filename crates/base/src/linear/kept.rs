@@ -19,19 +19,19 @@ impl Kept {
         }
     }
 
-    /// What is left of a column.
+    /// The projection of a column orthogonal to them.
     pub fn reject(&self, column: &DVector<f64>) -> DVector<f64> {
-        let mut left = column.clone();
+        let mut projected = column.clone();
         if self.q.len() >= self.rows {
-            left.fill(0.0);
+            projected.fill(0.0);
         }
 
         for _ in 0..2 {
             for q in &self.q {
-                left.axpy(-q.dot(&left), q, 1.0);
+                projected.axpy(-q.dot(&projected), q, 1.0);
             }
         }
-        left
+        projected
     }
 
     pub fn push(&mut self, index: usize, column: &DVector<f64>, free: &DVector<f64>) {

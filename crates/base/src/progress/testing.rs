@@ -8,7 +8,7 @@
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
-/// Every share that the work tells, if it is let go to the end.
+/// Every share that the work reports, if it is let go to the end.
 pub(crate) fn report_to<T>(
     work: impl FnOnce(&dyn Fn(f64) -> ControlFlow<()>) -> T,
 ) -> (Vec<f64>, T) {
@@ -22,8 +22,7 @@ pub(crate) fn report_to<T>(
     (shares.take(), done)
 }
 
-/// Says no when it is told the share with this number, and yes to whatever comes then: it
-/// must not be asked again.
+/// Answers no to the share with this number, and yes to whatever comes then: it must not be asked again.
 pub(crate) fn no_at(number: usize) -> impl Fn(f64) -> ControlFlow<()> {
     let asked = Cell::new(0);
     move |_| {

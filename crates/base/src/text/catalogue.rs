@@ -28,7 +28,7 @@ pub fn catalogue(language: Language) -> &'static Catalogue {
 }
 
 impl Catalogue {
-    /// What cannot be read is left out, and spoken in English; a test reads every catalogue.
+    /// What cannot be read is left out, and appears in English; a test reads every catalogue.
     fn read(po: &str) -> Self {
         let mut sentences = BTreeMap::new();
         if !po.is_empty()
@@ -56,8 +56,12 @@ impl Catalogue {
         form.map(String::as_str)
     }
 
-    /// What stands for these words in this context.
-    pub(super) fn said_in(&'static self, context: &str, english: &str) -> Option<&'static str> {
+    /// The translation of these words in this context.
+    pub(super) fn translated_in(
+        &'static self,
+        context: &str,
+        english: &str,
+    ) -> Option<&'static str> {
         let key = (context.to_owned(), english.to_owned());
         self.sentences.get(&key)?.forms.last().map(String::as_str)
     }

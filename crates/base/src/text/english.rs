@@ -115,7 +115,7 @@ const fn same(text: &[u8], start: usize, end: usize, name: &[u8]) -> bool {
     true
 }
 
-/// What stands between braces and beside them, in order: text as `Ok`, the name of an argument as `Err`.
+/// The parts inside and outside of braces, in order: text as `Ok`, the name of an argument as `Err`.
 #[doc(hidden)]
 pub fn parts(text: &str) -> impl Iterator<Item = Result<&str, &str>> {
     let mut rest = text;

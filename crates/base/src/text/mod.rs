@@ -1,8 +1,8 @@
-//! What a person reads: sentences as values, and the languages they are spoken in.
+//! Text for people: sentences as values, and their languages.
 //!
-//! The English sentence stands where it is said, and is the key of the catalogues of the other languages
-//! (`assets/languages/*.po`, as in gettext): English has no table, and what a catalogue lacks is spoken in English.
-//! Three macros are all that writes a sentence:
+//! The English sentence is written where it is used, and is the key of the catalogues of the other languages
+//! (`assets/languages/*.po`, as in gettext): English has no table, and what a catalogue lacks appears in English.
+//! Every sentence is written with one of three macros:
 //!
 //! | | gives | for |
 //! | --- | --- | --- |
@@ -10,9 +10,10 @@
 //! | `say!` | the sentence in the language of this thread | what is shown at once |
 //! | `phrase!` | a [`Template`] | a constant: a name in a table, a label of an action |
 //!
-//! Arguments have names (`text!("joint {joint} turns", joint = 3)`, or `joint` alone where a variable is called so) that
-//! are checked while compiling, as languages have orders of their own. The same English of two meanings is told apart by a context (`text!(in "table", "from")`),
-//! and what is counted has a form for one (`say!(one "{count} sample", "{count} samples", count = n)`).
+//! Arguments have names (`text!("joint {joint} turns", joint = 3)`, or `joint` alone where a variable is called so)
+//! that are checked while compiling, as languages have different orders. The same English of two meanings is
+//! distinguished by a context (`text!(in "table", "from")`), and what is counted has a form for one (`say!(one
+//! "{count} sample", "{count} samples", count = n)`).
 //!
 //! Every template is listed in a build for development, and a test fails for one that a catalogue lacks.
 
@@ -86,7 +87,7 @@ macro_rules! phrase {
     };
 }
 
-/// `Display` of what says itself: in English, as documents and users of the library have it.
+/// `Display` in English, as documents and users of the library have it.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! displays_what_it_says {
@@ -109,7 +110,7 @@ macro_rules! template {
             TEMPLATE.takes(&[$(stringify!($name)),*]),
             "the names in braces are not those of the arguments"
         );
-        // A list that the linker makes needs a section of its own, which counts as unsafe; no release has it.
+        // A list that the linker makes needs a separate section, which counts as unsafe; no release has it.
         #[cfg(debug_assertions)]
         #[allow(unsafe_code, reason = "a section of the test program that linkme reads")]
         #[$crate::linkme::distributed_slice($crate::text::TEMPLATES)]

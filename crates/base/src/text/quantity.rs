@@ -1,5 +1,5 @@
-//! Lengths and angles in sentences: said in the units that the reader chose for this thread, and in millimetres and
-//! the sentence's own unit of angles by default, as in files, in the terminal and on paper.
+//! Lengths and angles in sentences: in the units that the reader chose for this thread, and in millimetres and the
+//! sentence's own unit of angles by default, as in files, in the terminal and on paper.
 
 use std::cell::Cell;
 

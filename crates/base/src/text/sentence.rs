@@ -20,7 +20,7 @@ enum Kind {
     /// Clauses one after the other.
     Joined(Vec<Text>),
     Quantity(Quantity),
-    /// What files and commands have an id for, which English says as well, and what other languages call it.
+    /// What has an id in files and commands, which is also the English word, and its names in other languages.
     Named(Box<(String, Text)>),
     /// In a box: findings travel in results, which should be small.
     Sentence(Box<(Template, Vec<(&'static str, Argument)>)>),
@@ -104,7 +104,7 @@ impl Text {
         self.to_string().contains(part)
     }
 
-    /// Whether nothing is said.
+    /// Whether it is empty.
     pub fn is_empty(&self) -> bool {
         match &self.0 {
             Kind::Verbatim(text) => text.is_empty(),

@@ -105,7 +105,7 @@ fn filled_pattern(language: Language, pattern: &str, arguments: &[(&str, &dyn Di
             Ok(part) => text.push_str(part),
             Err(name) => {
                 let value = value(name).map_or_else(|| name.to_owned(), |(_, v)| v.to_string());
-                // What is filled in is not the sentence's: where sentences are marked, it stands outside of them.
+                // What is filled in is not the sentence's: where sentences are marked, it is outside of them.
                 let [before, behind] = if marked { ["⟧", "⟦"] } else { ["", ""] };
                 text.extend([before, &value, behind]);
             }
@@ -125,7 +125,7 @@ fn in_language(language: Language, template: Template, one: bool) -> &'static st
 /// The languages of the tests: marked, and longer.
 fn shaped(language: Language, said: String) -> String {
     match language {
-        // The headings of a table are one sentence, and stand apart.
+        // The headings of a table are one sentence, and separate.
         Language::Marked => {
             format!("⟦{}⟧", said.replace(" | ", "⟧ | ⟦").replace("⟦>", ">⟦"))
         }
@@ -165,7 +165,7 @@ pub fn known_in(
             Some(filled_pattern(language, english, arguments))
         }
         language => {
-            let pattern = catalogue(language).said_in(context, english)?;
+            let pattern = catalogue(language).translated_in(context, english)?;
             Some(filled_pattern(language, pattern, arguments))
         }
     }
@@ -177,7 +177,7 @@ pub fn phrases_in(context: &str) -> impl Iterator<Item = &'static str> {
     catalogue(Language::German).in_context(context)
 }
 
-/// How much wider than in English what stands in one row may be, at most.
+/// The largest width of the texts of one row, relative to English.
 #[doc(hidden)]
 pub fn stretch() -> f32 {
     match current() {
@@ -187,7 +187,7 @@ pub fn stretch() -> f32 {
     }
 }
 
-/// A name as it stands within a sentence: English begins it with a small letter.
+/// A name within a sentence: English begins it with a small letter.
 #[doc(hidden)]
 pub fn within(name: &str) -> Cow<'_, str> {
     match current() {

@@ -1,4 +1,4 @@
-//! What a diagnosis answers: its types.
+//! The types of a diagnosis.
 
 use crate::effects::curve::Curve;
 use crate::effects::{Inputs, JointValues, Term};
@@ -35,13 +35,13 @@ named! {
 pub enum FloorFrom {
     /// Returns to the same pose.
     Repeats,
-    /// What the instrument's maker says.
+    /// The maker's statement of the instrument.
     Instrument,
     /// The residuals of the final model.
     Estimated,
 }
 
-/// The smallest gap that noise allows.
+/// The smallest RMS error that noise allows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Floor {
     /// Root mean square length, mm.
@@ -73,7 +73,7 @@ pub struct HeldOut {
 }
 
 impl HeldOut {
-    /// Nothing is said of unseen samples, for this reason.
+    /// No error on unseen samples, for this reason.
     pub(crate) fn none(why: Text) -> Self {
         Self {
             how: why,
@@ -118,8 +118,8 @@ pub struct FoundEffect {
     pub check: Template,
 }
 
-/// Why a search ended before it had looked for everything. What is said then is proven as ever; more may be
-/// there.
+/// Why a search ended before it had looked for everything. What is reported then is as certain as ever; there may be
+/// more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stopped {
     /// The watcher asked for what was proven until then.
@@ -158,29 +158,29 @@ pub struct Equivalent {
     pub instead: Vec<String>,
     /// How much likelier the model is.
     pub odds: f64,
-    /// What would tell.
+    /// What would distinguish them.
     pub separate_by: Text,
-    /// Where the names are the same: the other orders (of a screw the leads, mm) that the steps between the
-    /// poses cannot tell from that of the model. Empty where the names differ.
+    /// Where the names are the same: the other orders (of a screw the leads, mm) that the steps between the poses
+    /// cannot distinguish from that of the model. Empty where the names differ.
     pub orders: Vec<f64>,
     /// The other model.
     pub model: Model,
 }
 
-/// What is left that no name explains.
+/// The residual that no name explains.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unexplained {
     /// Whether something is.
     pub present: bool,
     /// Chance (0 to 1) that noise alone would look as much like it.
     pub p: f64,
-    /// Root mean square of what is left, mm.
+    /// RMS residual, mm.
     pub rms_mm: f64,
     /// Where.
     pub place: Option<Where>,
     /// Names that only imitate a part of it; of several joints each with its joint.
     pub resembles: Vec<String>,
-    /// In words; empty where nothing is left.
+    /// In words; empty where nothing is unexplained.
     pub description: Text,
     /// The shapes themselves with their coefficients.
     pub shapes: Vec<(Shape, Vec<f64>)>,
@@ -191,11 +191,11 @@ pub struct Unexplained {
 /// What predicts samples that no fit has seen and has no name; its terms are in the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unnamed {
-    /// Root mean square of what it takes out of the fit, mm.
+    /// RMS length by which it reduces the residuals, mm.
     pub rms_mm: f64,
     /// RMS error on samples that the fit has not seen, without and with it, mm.
     pub held_out_mm: [f64; 2],
-    /// What it follows: a column as in `q1_deg`, of several joints as in `joint 2 (gravity)`.
+    /// What it depends on: a column as in `q1_deg`, of several joints as in `joint 2 (gravity)`.
     pub over: Vec<Text>,
     /// The curve over the joint, of a robot with a single one.
     pub curve: Option<Correction>,
@@ -243,7 +243,7 @@ pub struct Diagnosis {
     pub equivalent: Vec<Equivalent>,
     /// What no name explains.
     pub unexplained: Unexplained,
-    /// What the model holds beside the names because it predicts unseen poses; `None` where nothing does.
+    /// The part of the model without a name that predicts unseen poses; `None` where there is none.
     pub unnamed: Option<Unnamed>,
     /// What the session cannot show.
     pub not_testable: Vec<NotTestable>,
@@ -259,7 +259,7 @@ pub struct Diagnosis {
     pub model: Model,
     /// The fit that values and intervals come from.
     pub identification: Identification,
-    /// The gap step by step.
+    /// The RMS error step by step.
     pub history: Vec<ResidualStep>,
     /// Corrections of the session's set-up, after which everything else here is; its poses to measure next
     /// are as the controller takes them.
@@ -289,8 +289,8 @@ impl Diagnosis {
         self
     }
 
-    /// Whether the samples can show any effect beside the ones that every calibration has. Where they
-    /// cannot, that nothing was found says nothing about the robot.
+    /// Whether the samples can show any effect besides the ones that every calibration has. Where they cannot, an
+    /// empty result is no statement about the robot.
     pub fn tested_anything(&self) -> bool {
         !(self.found.is_empty() && self.not_found.is_empty())
     }
@@ -313,18 +313,19 @@ impl Diagnosis {
     }
 }
 
-/// What repeats over the only joint and has no name, as a smooth curve, and what it brings.
+/// The repeating curve over the only joint that has no name, and its gain.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Correction {
     /// The model's term under the name `unexplained`.
     pub term: Term,
-    /// Gap over the samples that were fitted, without and with it, mm.
+    /// RMS error over the samples that were fitted, without and with it, mm.
     pub gap_mm: [f64; 2],
-    /// Gap on samples that the fit has not seen, without and with it, mm.
+    /// RMS error on samples that the fit has not seen, without and with it, mm.
     pub held_out_mm: [f64; 2],
-    /// Gap with it on runs that the fit has not seen, mm; `None` where there is one run.
+    /// RMS error with it on runs that the fit has not seen, mm; `None` where there is one run.
     pub runs_held_out_mm: Option<f64>,
-    /// Gap with it on values of the joint that the fit has not seen, mm, where their neighbours do not predict them.
+    /// RMS error with it on values of the joint that the fit has not seen, mm, where their neighbours do not predict
+    /// them.
     pub values_held_out_mm: Option<f64>,
     /// How they were held out.
     pub how: Text,
@@ -359,7 +360,7 @@ pub struct NotTestable {
     pub because: Text,
 }
 
-/// A mistake in the data, its evidence, and how to mend it.
+/// A mistake in the data, its evidence, and its correction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DataProblem {
     /// What is wrong.
@@ -375,7 +376,7 @@ pub struct DataProblem {
 }
 
 impl DataProblem {
-    /// A mistake in all samples; without a correction it is said only.
+    /// A mistake in all samples; without a correction it is only reported.
     pub(crate) fn of_all(
         what: Text,
         evidence: Text,

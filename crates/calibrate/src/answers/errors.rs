@@ -4,7 +4,7 @@ pub use super::rms_error::Spread;
 use super::rms_error::rms_error;
 use crate::text::Template;
 
-/// One level of correction and the errors that it leaves.
+/// One level of correction and its errors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
     /// What the controller would have to take.
@@ -78,7 +78,7 @@ named! {
         MissingCell = phrase!("a joint value or a coordinate is missing"),
         /// The instrument lost the reflector: it wrote (0, 0, 0).
         LostReflector = phrase!("the instrument lost the reflector: it wrote 0, 0, 0"),
-        /// It is held out, and refers to a place or a setup of which the others say nothing.
+        /// It is held out, and refers to a place or a setup that no fitted sample determines.
         Unplaced = phrase!("nothing that is fitted was measured at its place or in its setup"),
         /// A person took it out.
         Excluded = phrase!("by hand"),

@@ -1,4 +1,4 @@
-//! A tool that is elsewhere by more than anyone mounts it: it, or the targets in it, are not where the session says.
+//! A tool that is farther off than anyone mounts it: it, or the targets in it, are not where the session states.
 
 use super::diagnosis::DataProblem;
 use super::identification::Identification;
@@ -19,8 +19,8 @@ pub(crate) fn farthest_tool_mm(robot: &Robot) -> f64 {
 }
 
 impl Identification {
-    /// What there is to say where the tool is far from where the session states. Which of the tool and the targets is
-    /// wrong no sample tells: what is measured is both together.
+    /// The message where the tool is far from where the session states. No sample distinguishes which of the tool and
+    /// the targets is wrong: what is measured is both together.
     #[doc(hidden)]
     pub fn far_tool(&self) -> Option<DataProblem> {
         let moved = self.parameters.iter().filter(|own| {

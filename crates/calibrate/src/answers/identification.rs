@@ -1,4 +1,4 @@
-//! What an identification answers.
+//! The types of an identification.
 
 use std::collections::BTreeSet;
 
@@ -28,13 +28,13 @@ pub struct Estimate {
     pub setup: Option<String>,
     /// Name of the target whose own place it is.
     pub target: Option<String>,
-    /// Name of the anchor, station, plane or socket that it says where it is.
+    /// Name of the anchor, station, plane or socket whose place it is.
     pub place: Option<String>,
     /// The parameter's name with its unit.
     pub name: &'static str,
     /// Its value, in the unit that ends its name.
     pub value: f64,
-    /// 95 % interval from the lower to the upper end, the same unit; `None` where the samples leave it open.
+    /// 95 % interval from the lower to the upper end, the same unit; `None` where it is not determined.
     pub ci95: Option<[f64; 2]>,
 }
 
@@ -70,8 +70,8 @@ impl Estimate {
         self.implausible_above().is_some()
     }
 
-    /// What is said of a size that is implausible: with the unit in which the same number is usual, where there is
-    /// one, as columns in another unit than their heading says give such sizes.
+    /// The message about a size that is implausible: with the unit in which the same number is usual, where there is
+    /// one, as columns in another unit than in their heading give such sizes.
     pub fn implausible(&self) -> Option<Text> {
         let limit = self.implausible_above()?;
         let unit = Unit::of_name(self.name).1.symbol;
@@ -115,7 +115,7 @@ pub struct RegionResult {
     pub theta_ci95: Option<[f64; 2]>,
     /// 95 % interval of Δl1, mm.
     pub l1_ci95: Option<[f64; 2]>,
-    /// Gap of the region's samples before the correction, in the plane of motion, mm.
+    /// RMS error of the region's samples before the correction, in the plane of motion, mm.
     pub rms_before_mm: f64,
     /// The same after the correction, mm.
     pub rms_after_mm: f64,
@@ -130,7 +130,7 @@ pub struct NotIdentifiable {
     pub because: Text,
 }
 
-/// The gap before and after.
+/// The RMS error before and after.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Gap {
     /// Of the nominal robot.
@@ -195,9 +195,9 @@ pub struct Identification {
     pub regions: Vec<RegionResult>,
     /// What the samples do not determine.
     pub not_identifiable: Vec<NotIdentifiable>,
-    /// The gap over the samples that were fitted.
+    /// The RMS error over the samples that were fitted.
     pub gap: Gap,
-    /// The gap over the samples that the session holds out, if any.
+    /// The RMS error over the samples that the session holds out, if any.
     pub held_out: Option<Gap>,
     /// What each level of correction would bring; of a robot with several joints.
     pub levels: Vec<Level>,
@@ -216,7 +216,7 @@ pub struct Identification {
     pub kinds: Vec<KindFigures>,
     /// How the solver fared.
     pub quality: Quality,
-    /// What else there is to say.
+    /// Other notes.
     pub notes: Vec<Text>,
 }
 

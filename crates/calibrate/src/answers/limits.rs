@@ -15,12 +15,12 @@ pub enum Detectability {
 }
 
 impl Detectability {
-    /// What a detection limit says.
+    /// The meaning of a detection limit.
     pub fn of(size: f64) -> Self {
         match size {
             size if size < rounding::COMPUTED => Self::AtAnySize,
             size if size <= LARGEST_NUMBER => Self::Above(size),
-            // What is not a number belongs here as well.
+            // NaN belongs here as well.
             _ => Self::AtNoSize,
         }
     }
@@ -33,7 +33,7 @@ pub struct Limit {
     pub effect: &'static str,
     /// Joint, counted from 0; `None` where it belongs to none.
     pub joint: Option<usize>,
-    /// For each parameter its name and the size above which it would have been seen; [`Detectability::of`]
-    /// says what a size means.
+    /// For each parameter its name and the size above which it would have been detected; [`Detectability::of`] gives
+    /// the meaning of a size.
     pub sizes: Vec<(&'static str, f64)>,
 }

@@ -10,8 +10,7 @@ const MOST_SHARE: f64 = 0.1;
 const FEWEST: usize = 5;
 
 impl Identification {
-    /// What there is to say where more samples were set aside than accidents explain: the figures are those of the
-    /// others.
+    /// The message where more samples were set aside than accidents explain: the figures are those of the others.
     #[doc(hidden)]
     pub fn many_set_aside(&self) -> Option<DataProblem> {
         let aside = self.outliers.len();

@@ -1,6 +1,5 @@
-//! What an identification and a diagnosis answer: types with their meaning, and nothing that is
-//! computed from samples. Terminal, window, report and exports read these; [`crate::fit`] and
-//! [`crate::diagnosis`] fill them.
+//! The types of an identification and a diagnosis, with their meaning, and nothing that is computed from samples.
+//! Terminal, window, report and exports read these; [`crate::fit`] and [`crate::diagnosis`] fill them.
 
 #[doc(hidden)]
 pub mod diagnosis;

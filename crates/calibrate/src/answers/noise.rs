@@ -1,5 +1,4 @@
-//! Noise as it was found: its sizes, and what is said of it. The equations stand in
-//! [`crate::fit::noise`].
+//! The estimated noise: its sizes, and its description. The equations are in [`crate::fit::noise`].
 
 use crate::sessions::{Session, Sigma};
 use crate::text::Text;
@@ -17,10 +16,10 @@ pub struct Noise {
     pub sigma_mm: [f64; 3],
     /// The slow part, where the residuals show one.
     pub slow: Option<Slow>,
-    /// What every joint that turns is off by at every pose anew, rad (one that slides: in units of the robot's reach);
-    /// 0 where the samples show none of it.
+    /// Repeatability of every revolute joint, drawn anew at every pose, rad (of a prismatic one in units of the
+    /// robot's reach); 0 where the samples show none of it.
     pub joints_rad: f64,
-    /// RMS length of what the robot does not repeat, a pose's own error, mm; `None` where the samples cannot tell.
+    /// RMS length of the error of repeatability of a pose, mm; `None` where the samples do not determine it.
     pub robot_mm: Option<f64>,
     /// Whether the axes were found, or stated, to differ.
     pub unequal: bool,
@@ -125,7 +124,7 @@ impl Noise {
         })
     }
 
-    /// This noise beside the one that is stated for the instrument, where one is.
+    /// This noise compared with the one that is stated for the instrument, where one is.
     pub fn against_stated(&self, session: &Session) -> Option<StatedNoise> {
         let stated = session.instrument.sigma_mm?;
         let planar = session.samples.z_mm.is_none();
@@ -154,11 +153,11 @@ impl Slow {
         )
     }
 
-    /// In words, where the model may lack what changes with time as the poses do and leaves so much, mm: of a wander that
-    /// takes longer than the session the fit has taken a part, and no more is left than that.
-    pub fn says_of_remaining_error(&self, left_mm: f64) -> Text {
+    /// In words, where the model may lack what changes with time as the poses do, with this residual, mm: of a drift
+    /// that takes longer than the session the fit has absorbed a part, and the residual is the rest.
+    pub fn says_of_remaining_error(&self, residual_mm: f64) -> Text {
         let (wanders_mm, time) = self.extent();
-        let size = length(wanders_mm.min(left_mm), 4);
+        let size = length(wanders_mm.min(residual_mm), 4);
         text!(
             "a part of the remaining error goes on from sample to sample, {size} (root mean square) within {time} min: a diagnosis looks for effects in it",
             size,

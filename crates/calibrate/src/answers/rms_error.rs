@@ -6,16 +6,16 @@
 //!
 //! It is of a position, over the samples that can be used. Which model predicts gives it its name:
 //!
-//! - *nominal*: the robot as its controller believes it to be, of a session with setups seen from where each
-//!   stands best;
+//! - *nominal*: the robot as its controller believes it to be, of a session with setups from where each
+//!   fits best;
 //! - *after identification*: the model of `identify`;
 //! - *with found effects*: the model that a diagnosis hands out, never above the one before;
 //! - *cross-validated* (*held-out*): each sample by a fit that has not seen it, by the same procedure.
 //!
-//! `verify` states it over all samples, and beside that *trimmed*, without those that are suspected outliers,
-//! with their number. `identify` and `diagnose` fit without suspected outliers: there they count in the largest
-//! error and not in the RMS error, and the answer says how many there are. Where more than a third would be left out
-//! all count: of samples held out these are the evidence.
+//! `verify` states it over all samples, and in addition *trimmed*, without those that are suspected outliers, with
+//! their number. `identify` and `diagnose` fit without suspected outliers: there they count in the largest error and
+//! not in the RMS error, and the answer states how many there are. Where more than a third would be set aside all
+//! count: of samples held out these are the evidence.
 
 use crate::observations::outliers::are_the_rule;
 

@@ -1,4 +1,4 @@
-//! A calibration beside a session whose values are taken as they were read.
+//! A calibration compared with a session whose values are taken as they were read.
 
 use crate::effects::JointValues;
 use crate::fit::base_model;
@@ -28,7 +28,7 @@ pub(super) fn verify_as_read(
 ) -> Result<Verification, VerifyError> {
     let samples = &session.samples;
     let own = hash_of_samples(session) == calibration.samples_hash;
-    // Single coordinates were fitted with the rest; of another session whole points are enough to judge by.
+    // Single coordinates were fitted with the rest; of another session whole points are enough to compare.
     let none_is_whole = || Problem::new(session, JointValues::Commanded).samples() == 0;
     let in_parts = !samples.partly_measured().is_empty() && (own || none_is_whole());
     if !samples.observed.is_empty() || in_parts {
@@ -63,11 +63,11 @@ pub(super) fn verify_as_read(
         let drawn = compensation.nominal.predict(inputs);
         let expected = |i: usize| minus(drawn.get(i), moved.get(i));
         let with_table = measured_minus(session, &problem, &compensation, expected);
-        let left: Vec<f64> = left_over(&compensation, inputs)
+        let residuals: Vec<f64> = left_over(&compensation, inputs)
             .iter()
             .map(|v| crate::lanes::dot(*v, *v).sqrt())
             .collect();
-        let stays = Spread::of(&left, |i| problem.fit[i], |_| false);
+        let stays = Spread::of(&residuals, |i| problem.fit[i], |_| false);
         (with_table, stays.map_or(0.0, |s| s.rms_mm))
     });
     let compared = Compared {

@@ -1,9 +1,8 @@
 //! A calibration carried over to a session that was measured with another tool or other targets: the
 //! joints and links are the same, the tool is not.
 //!
-//! What the model knows of the old tool (its position, its orientation, the own errors of its targets)
-//! is dropped, and a common shift of the new one is fitted to the samples. Frames that the model does not
-//! know are fitted with it, in turns.
+//! The terms of the old tool (its position, its orientation, the own errors of its targets) are dropped, and a common
+//! shift of the new one is fitted to the samples. Frames that the model does not know are fitted with it, in turns.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -14,7 +13,7 @@ use crate::sessions::{Session, hash_of_samples};
 use crate::text::{Text, components};
 use crate::{budget, rounding};
 
-/// Whether a term says where a tool or a target is.
+/// Whether a term is the place of a tool or a target.
 fn is_place_of_the_tool(term: &Term) -> bool {
     term.effect.about().role == Role::ToolPlace
 }
@@ -112,11 +111,11 @@ fn step(model: &Model, session: &Session, problem: &Problem) -> Option<Vector3<f
             ];
             for (axis, measured) in measured.into_iter().enumerate() {
                 let Some(measured) = measured else { continue };
-                let left = measured - block.point[axis][i];
+                let residual = measured - block.point[axis][i];
                 let by = Vector3::from_fn(|c, _| block.columns[column + c][axis][i]);
-                if left.is_finite() {
+                if residual.is_finite() {
                     normal += by * by.transpose();
-                    downhill += by * left;
+                    downhill += by * residual;
                 }
             }
         }

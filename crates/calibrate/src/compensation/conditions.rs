@@ -1,4 +1,4 @@
-//! Under which conditions a correction holds.
+//! The conditions for which a correction is valid.
 //!
 //! A table knows only the command and the direction of travel, so it is made for one set of
 //! conditions: the reference is standstill, 20 °C and no load, long after the last reversal (lost
@@ -80,8 +80,7 @@ impl Conditions {
         inputs
     }
 
-    /// The poses of a session as a table sees them: their own commands and sides, and otherwise
-    /// these conditions.
+    /// The poses of a session as a table treats them: their own commands and sides, and otherwise these conditions.
     pub fn impose_on(&self, inputs: &Inputs) -> Inputs<'static> {
         let own = |column: &Cow<[f64]>| column.clone().into_owned();
         let q = inputs.q.iter().map(own).collect();

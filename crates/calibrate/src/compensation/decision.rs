@@ -1,7 +1,7 @@
 //! Whether a calibrated robot is within its tolerance.
 //!
-//! What is decided is the largest deviation of a measured position, because a tolerance says how far
-//! every position may be off:
+//! The decision is about the largest deviation of a measured position, because a tolerance limits the error of every
+//! position:
 //!
 //! - of a session that was measured with a table active, as it was measured;
 //! - of any other, with corrected commands ([`Verification::compensated`]), which is a prediction.
@@ -12,8 +12,8 @@
 //!
 //! ```text
 //! U = 2 √(u² + m²)
-//! u   noise of a measured point in one direction: the instrument's, or what the noise floor shows if
-//!     that is more
+//! u   noise of a measured point in one direction: the instrument's, or the noise floor if
+//!     that is larger
 //! m   of the prediction: √((h² − f²)/n), h: cross-validated RMS error, f: RMS error on the fit,
 //!     n: measured directions; 0 where nothing is predicted
 //! ```
@@ -33,7 +33,7 @@ use crate::text::Template;
 const COVERAGE: f64 = 2.0;
 
 named! {
-    /// By what it is decided.
+    /// The decision rule.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     pub enum Rule {
         /// The uncertainty counts against the side that has to prove something.
@@ -47,7 +47,7 @@ named! {
     pub const ALL;
 }
 
-/// What a rule says.
+/// The outcome of a rule.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
     /// Within the tolerance.
@@ -78,7 +78,7 @@ pub struct FittedErrors {
     pub fit_mm: f64,
     /// On samples that no fit has seen.
     pub held_out_mm: Option<f64>,
-    /// What noise alone leaves, where that is known.
+    /// The residual of noise alone, where that is known.
     pub floor_mm: Option<f64>,
 }
 
@@ -152,7 +152,7 @@ impl MeasuredDeviation {
         })
     }
 
-    /// What a rule says of it.
+    /// The outcome of a rule.
     pub fn decided(&self, rule: Rule, tolerance_mm: f64) -> Outcome {
         let counted = match rule {
             Rule::Iso14253 => self.expanded_mm,

@@ -1,16 +1,15 @@
-//! Which calibrations correct commands at all: not one that was measured with a table active, and not one that
-//! leaves a gross error. A column in another unit, rows that belong to other rows, a sign that changes half way
-//! leave errors of the robot's size; values that were fitted to them are no robot's, and a table made of them
-//! makes it worse.
+//! Which calibrations correct commands at all: not one that was measured with a table active, and not one with a gross
+//! residual. A column in another unit, rows that belong to other rows, a sign that changes half way give errors of the
+//! robot's size; values that were fitted to them are no robot's, and a table made of them increases the error.
 
 use super::{TableError, VerifiedCalibration};
 use crate::kinematics::JointKind;
 use crate::model::Calibration;
 use crate::thresholds::{GROSS_SHARE, PLAUSIBLE_SHARE};
 
-/// What is gross has to be at least so much better than the nominal robot. (Derived: a servo with a degree of play leaves
-/// sin 1° = 0.017 of its reach, and its zeros are worth correcting.)
-const LEAVES_OF_NOMINAL: f64 = 0.5;
+/// A gross residual has to be smaller than that of the nominal robot by at least this. (Derived: a servo with a degree
+/// of play has a residual of sin 1° = 0.017 of its reach, and its zeros are worth correcting.)
+const SHARE_OF_NOMINAL: f64 = 0.5;
 
 impl VerifiedCalibration {
     /// That commands may be corrected with it: what every table, program and description asks first.
@@ -26,7 +25,7 @@ impl VerifiedCalibration {
         };
         let size_mm = size_mm(self);
         let left_mm = last.gap_mm;
-        let gains = left_mm < LEAVES_OF_NOMINAL * nominal.gap_mm;
+        let gains = left_mm < SHARE_OF_NOMINAL * nominal.gap_mm;
         if left_mm > PLAUSIBLE_SHARE * size_mm || left_mm > GROSS_SHARE * size_mm && !gains {
             return Err(TableError::Gross { left_mm, size_mm });
         }
@@ -34,7 +33,7 @@ impl VerifiedCalibration {
     }
 }
 
-/// How far the robot reaches with what it carries, or how far it slides, mm.
+/// The reach of the robot with its tool, or its travel, mm.
 fn size_mm(calibration: &Calibration) -> f64 {
     let robot = &calibration.model.robot;
     let target = calibration

@@ -1,5 +1,5 @@
 //! The gate: what leaves the program is made from a [`VerifiedCalibration`], and only this module makes one, of a
-//! calibration that does on the very session that it came from what was said of it.
+//! calibration whose error on the very session that it came from is the one that was stated.
 
 use std::ops::Deref;
 use std::path::Path;
@@ -24,11 +24,11 @@ const MOST_TIMES_NOMINAL: f64 = 1.05;
 /// Why a calibration is not handed out.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NotHandedOut {
-    /// It does something else than was said.
+    /// Its error is not the one that was stated.
     OtherThanSaid {
         /// Verified, mm.
         found_mm: f64,
-        /// Said, mm.
+        /// Stated, mm.
         said_mm: f64,
     },
     /// The robot is better without it.
@@ -47,7 +47,7 @@ pub enum NotHandedOut {
     },
     /// An effect that was added to it made it worse.
     WorseThanIdentified {
-        /// Said, mm.
+        /// Stated, mm.
         said_mm: f64,
         /// Of the identification, mm.
         identified_mm: f64,
@@ -193,7 +193,7 @@ fn as_said_and_no_worse_than_nominal(
     calibration: &Calibration,
     session: &Session,
 ) -> Result<(), NotHandedOut> {
-    // What is no number is not within.
+    // NaN is not within.
     let within = |found_mm: f64, most_mm: f64| found_mm <= most_mm + NOTHING_MM;
     let verified = verify(calibration, session)?;
     // Both without the suspected outliers, which make any model and the nominal robot look alike.

@@ -1,7 +1,7 @@
-//! Looking a correction up: linear between the entries, the end values held outside.
+//! Interpolation of corrections: linear between the entries, the end values held outside.
 //!
-//! [`UniformTable`] finds the interval by one multiplication; [`SortedTable`] takes any ascending
-//! entries and halves its way there, for tables that were read from a file.
+//! [`UniformTable`] finds the interval by one multiplication; [`SortedTable`] takes any ascending entries and finds it
+//! by bisection, for tables that were read from a file.
 
 /// Entries at equal steps.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,7 +67,7 @@ impl SortedTable {
         usable.then_some(Self { places, values })
     }
 
-    /// Where the entries stand.
+    /// The places of the entries.
     pub fn places(&self) -> &[f64] {
         &self.places
     }

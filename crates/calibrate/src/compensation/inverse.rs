@@ -10,9 +10,9 @@
 //! taken. Directions in which the tool hardly moves (below a hundredth of the best) are not
 //! corrected at all: near a singular pose a tiny gain would cost a large move.
 //!
-//! Derivatives by the command are the exact ones that the model carries
-//! ([`Model::visit_by_commands`]); the curvature that one joint needs is their difference over 10⁻⁴
-//! rad or 0.1 mm, and decides only how fast it settles.
+//! Derivatives with respect to the command are the exact ones of the model ([`Model::visit_by_commands`]); the
+//! curvature that one joint needs is their difference over 10⁻⁴ rad or 0.1 mm, and only affects the speed of
+//! convergence.
 //!
 //! Several poses go through at once, because the model takes them in blocks.
 
@@ -28,7 +28,7 @@ use crate::model::{Model, Positions};
 use crate::numeric::LONGEST_TURN;
 use crate::{budget, rounding};
 
-/// Directions in which the tool moves less than this part of the most are left alone.
+/// Directions in which the tool moves less than this part of the most are not corrected.
 pub(super) const FLATTEST: f64 = 1e-2;
 
 /// Where some model puts every reflector: one set of positions for each reflector.
@@ -61,7 +61,7 @@ pub fn closest_commands(
     for _ in 0..budget::STEPS {
         let here = sensed(model, &trial);
         // One joint alone needs the curvature.
-        let beside = match free {
+        let displaced = match free {
             [joint] => sensed(model, &nudged(model, &trial, *joint)),
             _ => Vec::new(),
         };
@@ -70,7 +70,7 @@ pub fn closest_commands(
             if !moving[i] {
                 continue;
             }
-            let step = Local::new(model, i, free, [&here, &beside], wanted).step();
+            let step = Local::new(model, i, free, [&here, &displaced], wanted).step();
             moving[i] = false;
             for (joint, by) in free.iter().copied().zip(step) {
                 let unit = unit_of(model, joint);
@@ -145,8 +145,8 @@ fn sensed(model: &Model, inputs: &Inputs) -> Vec<Sensed> {
         .collect()
 }
 
-/// One pose: what is missing, and how the reflectors move with the joints. Everything is per
-/// [`unit_of`] a joint, so that turning and sliding joints can be weighed against each other.
+/// One pose: the remaining error, and how the reflectors move with the joints. Everything is per [`unit_of`] a joint,
+/// so that revolute and prismatic joints can be weighed against each other.
 struct Local {
     /// Missing way of each reflector, mm.
     missing: Vec<[f64; 3]>,
@@ -162,7 +162,7 @@ impl Local {
         model: &Model,
         pose: usize,
         free: &[usize],
-        [here, beside]: [&[Sensed]; 2],
+        [here, displaced]: [&[Sensed]; 2],
         wanted: &Places,
     ) -> Self {
         let first = |sensed: &[Sensed], joint: usize| -> Vec<[f64; 3]> {
@@ -181,9 +181,9 @@ impl Local {
         };
         let missing = here.iter().zip(wanted);
         let all_first: Vec<_> = free.iter().map(|joint| first(here, *joint)).collect();
-        let second = free.first().filter(|_| !beside.is_empty());
+        let second = free.first().filter(|_| !displaced.is_empty());
         let second = second.map_or_else(Vec::new, |joint| {
-            let pairs = first(beside, *joint).into_iter().zip(&all_first[0]);
+            let pairs = first(displaced, *joint).into_iter().zip(&all_first[0]);
             let slopes = pairs
                 .map(|(further, here)| minus(further, *here).map(|d| d / rounding::DIFFERENCE));
             slopes.collect()
@@ -306,8 +306,8 @@ mod tests {
         let wanted = places(&Model::nominal(arm()), &inputs);
         let commands = closest_commands(&model, &inputs, &wanted, &ALL);
         inputs.q = commands.into_iter().map(Cow::Owned).collect();
-        let left = minus(places(&model, &inputs)[0].get(0), wanted[0].get(0));
-        assert!(dot(left, left).sqrt() < 1e-10, "{left:?}");
+        let residual = minus(places(&model, &inputs)[0].get(0), wanted[0].get(0));
+        assert!(dot(residual, residual).sqrt() < 1e-10, "{residual:?}");
     }
 
     #[test]

@@ -1,29 +1,29 @@
-//! From a model to the commands that make the real robot go where the nominal one would.
+//! Compensation: from a model to the commands that make the real robot go where the nominal one would.
 //!
-//! For a pose q the joints are told q + c instead, with c such that
+//! For a pose q the joints are commanded q + c instead, with c such that
 //!
 //! ```text
 //! Σ over reflectors | model(q + c) − nominal(q) |²  → least
 //! ```
 //!
-//! What is left then is what no joint can remove: a link that is too short stays too short however
-//! the joint turns. It is stated as a number, and in words (`remainder`).
+//! The residual is what no joint can remove: a link that is too short stays too short however the joint turns. It is
+//! stated as a number, and in words (`remainder`).
 //!
 //! - `conditions`: under which a correction holds; the reference is standstill, 20 °C, no load.
 //! - `inverse`: the minimisation above, for any model and any number of joints.
 //! - `pose`: the same for the whole pose of the tool, position first.
 //! - `regional`: the source paper's `q_c = q + M Δρ`, equation (8), and the joint command that
 //!   comes closest to it.
-//! - `plan`: [`Compensation`], one face for both kinds of model.
+//! - `plan`: [`Compensation`], one interface for both kinds of model.
 //! - `table`: the correction of one joint over its limits; `interpolation`: reading it fast.
-//! - `remainder`: what stays, and which data of the controller would remove it.
-//! - `verification`: how well all this does on another session; `with_table`: what a table leaves of it; `decision`:
+//! - `remainder`: the residual, and which data of the controller would remove it.
+//! - `verification`: the errors on another session; `with_table`: the residual with a table; `decision`:
 //!   whether that is within the tolerance.
 //!
 //! Signs: a correction is what to add to the command, minus the deviation to first order.
 //!
-//! What the instrument does (its scale, a frame that drifts or was bumped) is no error of the
-//! robot; it is left out of the model before the model is inverted.
+//! The instrument's effects (its scale, a frame that drifts or was bumped) are no error of the robot; they are left
+//! out of the model before the model is inverted.
 
 mod as_read;
 mod carried_over;

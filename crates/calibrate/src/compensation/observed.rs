@@ -1,7 +1,6 @@
-//! A calibration beside a session of other measurements than points: distances, directions, touches,
-//! sockets. Places that the model knows by name are where it has them; others that are unknown are
-//! located beside the robot first. What corrected commands would do is not said: nothing was measured
-//! of where the target is.
+//! A calibration compared with a session of other measurements than points: distances, directions, touches, sockets.
+//! Places that the model knows by name are taken from it; others that are unknown are first located from the robot.
+//! The effect of corrected commands is not reported: the place of the target was not measured.
 
 use crate::effects::places::name;
 use crate::effects::{JointValues, Place, PlaceKind};
@@ -9,7 +8,7 @@ use crate::fit::base_model;
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
-use crate::observations::figures::apart_beside;
+use crate::observations::figures::outliers_given;
 use crate::observations::{Layer, start};
 use crate::sessions::{Session, hash_of_samples};
 use crate::text::Text;
@@ -41,7 +40,7 @@ pub(super) fn verify(
     let suspected = set_aside::of_its_own(calibration, own, problem.usable.len());
     let suspected = suspected.unwrap_or_else(|| {
         problem.observed.as_ref().map_or_else(Vec::new, |layer| {
-            layer.samples_with(&apart_beside(layer, &placed))
+            layer.samples_with(&outliers_given(layer, &placed))
         })
     });
     let compared = Compared {

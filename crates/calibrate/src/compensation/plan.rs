@@ -1,4 +1,4 @@
-//! One face for both kinds of model: the joint corrections, and where the reflectors then are.
+//! One interface for both kinds of model: the joint corrections, and where the reflectors then are.
 
 use nalgebra::{Point3, Vector3};
 
@@ -11,8 +11,8 @@ use crate::sessions::Target;
 use super::inverse::{closest_commands, places};
 use super::regional::Regional;
 
-/// Whether a term is none of the robot's: the instrument's, the own error of a target that only the measurement knows,
-/// or how the measured body is turned.
+/// Whether a term is none of the robot's: the instrument's, the own error of a target that only the measurement uses,
+/// or the turn of the measured body.
 fn is_of_the_measurement(term: &Term) -> bool {
     let about = term.effect.about();
     is_of_one_target(term) || about.owner != Owner::Robot || about.role == Role::ToolTurn
@@ -22,8 +22,8 @@ fn is_of_one_target(term: &Term) -> bool {
     term.effect.about().setting == Setting::Target && term.setting > 0.0
 }
 
-/// A model without what is the measurement's. A probe that is mounted turned by 20° does not turn what the robot works
-/// with: where `measured` points are (at home, base frame, mm) stays, on average of them.
+/// A model without the terms of the measurement. A probe that is mounted turned by 20° does not turn what the robot
+/// works with: the mean of the `measured` points (at home, base frame, mm) is kept.
 pub fn of_the_robot(model: &Model, mut measured: Vec<[f64; 3]>) -> Model {
     let robot = model.without(is_of_the_measurement);
     let role = |term: &Term| term.effect.about().role;
@@ -68,7 +68,7 @@ pub fn of_the_robot(model: &Model, mut measured: Vec<[f64; 3]>) -> Model {
 pub struct Compensation {
     /// The robot as its controller believes it to be.
     pub nominal: Model,
-    /// The model without what is the instrument's.
+    /// The model without the terms of the instrument.
     pub robot: Model,
     /// The paper's corrections; they replace the model where there are any.
     pub regional: Option<Regional>,
@@ -77,9 +77,8 @@ pub struct Compensation {
 }
 
 impl Compensation {
-    /// The compensation that a calibration asks for. The reflectors that were measured stand for
-    /// the tool: with one at the tool's origin it is the origin that is brought into place, with
-    /// several all of them together.
+    /// The compensation for a calibration. The reflectors that were measured represent the tool: with one at the
+    /// tool's origin it is the origin that is brought into place, with several all of them together.
     pub fn new(calibration: &Calibration) -> Self {
         let robot = &calibration.model.robot;
         let place = |t: &Target| (robot.base_from_tool * t.position_mm).coords.into();
@@ -97,8 +96,8 @@ impl Compensation {
         }
     }
 
-    /// What to add to the commands of `inputs`, joint by joint, rad or mm. The reflectors are
-    /// those of the compensation, whatever `inputs` says.
+    /// What to add to the commands of `inputs`, joint by joint, rad or mm. The reflectors are those of the
+    /// compensation, not those of `inputs`.
     pub fn joint_corrections(&self, inputs: &Inputs) -> Vec<Vec<f64>> {
         let inputs = &*inputs.fitted_to(self.nominal.robot.joints.len());
         let all: Vec<usize> = (0..inputs.q.len()).collect();
@@ -119,8 +118,8 @@ impl Compensation {
         corrections
     }
 
-    /// Where the real robot puts the reflectors of `inputs` when it is told to go to their
-    /// commands plus `corrections`, as far as the model knows.
+    /// Where the real robot puts the reflectors of `inputs` when it is commanded with `corrections` added, according
+    /// to the model.
     pub fn reached(&self, inputs: &Inputs, corrections: &[Vec<f64>]) -> Positions {
         let inputs = &*inputs.fitted_to(self.nominal.robot.joints.len());
         let mut corrected = inputs.clone();
@@ -132,7 +131,7 @@ impl Compensation {
         let Some(regional) = &self.regional else {
             return self.robot.predict(&corrected);
         };
-        // (8) read backwards: the real robot stands at its nominal position − M Δρ.
+        // (8) solved for the place: the real robot is at its nominal position − M Δρ.
         let mut reached = self.nominal.predict(&corrected);
         let first = inputs.q.first().map_or(&[][..], AsRef::as_ref);
         let of_region = regional.corrections_at(first);
@@ -149,8 +148,7 @@ impl Compensation {
         reached
     }
 
-    /// `to − from` of one sample, mm; in the plane of motion for the paper's method, which leaves
-    /// the rest alone.
+    /// `to − from` of one sample, mm; in the plane of motion for the paper's method, which does not change the rest.
     pub fn deviation(&self, to: [f64; 3], from: [f64; 3]) -> [f64; 3] {
         let deviation = minus(to, from);
         match &self.regional {
@@ -160,7 +158,7 @@ impl Compensation {
     }
 }
 
-/// Some poses of `inputs`, without what is the instrument's: times and setups.
+/// Some poses of `inputs`, without the instrument's times and setups.
 pub(super) fn some_of(inputs: &Inputs, poses: &[usize]) -> Inputs<'static> {
     let mut some = inputs.select(poses);
     (some.time_s, some.setup) = (None, None);
@@ -180,7 +178,7 @@ mod tests {
     use crate::sessions::parse_robot;
 
     /// A probe that is turned by 20° on the tool, and a tool that is 3 mm longer: the point that was measured stays
-    /// where it is in every pose, and nothing is left of the turn.
+    /// where it is in every pose, and the turn has no effect.
     #[test]
     fn how_a_probe_is_turned_is_none_of_the_robots() {
         let bytes = include_bytes!("../../../../sessions/arm/robot.json");

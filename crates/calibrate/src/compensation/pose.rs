@@ -1,30 +1,28 @@
 //! The inverse of a model for the tool's whole pose: which commands bring the real tool to given
 //! poses.
 //!
-//! The position of the tool comes first, its orientation as far as the joints then still allow (task
-//! priority: Nakamura 1991). With p and r what is missing of position and orientation, and x the step of
-//! the joints,
+//! The position of the tool comes first, its orientation as far as the joints then still allow (task priority:
+//! Nakamura 1991). With p and r the remaining errors of position and orientation, and x the step of the joints,
 //!
 //! ```text
 //! x = Jp⁺ p + N z,   N Jp-free motions,   least |r − Jr x|² + Σ λᵢ² (vᵢ · (q + x − q₀))²  over z
 //! λᵢ² = ε² − σᵢ²  where σᵢ < ε, else 0
 //! ```
 //!
-//! σᵢ and vᵢ are the singular values and directions of the orientation's part Jr N. Where the joints turn
-//! the tool well (σ ≥ ε, `DAMPED_BELOW`) both are met, and of several commands that do the nearest are
-//! taken. Near a singular pose (a stretched wrist) a turn about the lost axis would take a large move:
-//! there the orientation is met in part, the less the nearer, and goes over into the exact answer without a
-//! jump (numerical filtering: Maciejewski and Klein 1988). The damping holds the commands to q₀, the ones
-//! of the target, so that it does not depend on how many steps are taken, and no joint moves further for
-//! the orientation than 1/ε times what is missing of it.
+//! σᵢ and vᵢ are the singular values and directions of the orientation's part Jr N. Where the joints turn the tool
+//! well (σ ≥ ε, `DAMPED_BELOW`) both are met, and of several commands that do the nearest are taken. Near a singular
+//! pose (a stretched wrist) a turn about the lost axis would take a large move: there the orientation is met in part,
+//! the less the nearer, with a continuous transition to the exact solution (numerical filtering: Maciejewski and Klein
+//! 1988). The damping holds the commands to q₀, the ones of the target, so that it does not depend on how many steps
+//! are taken, and no joint moves further for the orientation than 1/ε times its error.
 //!
-//! A position is singular where the tool can hardly be moved in some direction (less than a two-hundredth
-//! of the best): a tiny gain would cost a large move, and it is left.
+//! A position is singular where the tool can hardly be moved in some direction (less than a two-hundredth of the
+//! best): a tiny gain would cost a large move, and it is not corrected.
 //!
-//! The tool's orientation is that of three points around its origin, so that it holds for every
-//! effect, whatever it moves. The derivatives are those of the nominal robot at the tool's real place: effects
-//! change them by thousandths, so that every step leaves a thousandth of what was missing, and they cost
-//! next to nothing beside the exact ones of a model with gravity in it.
+//! The tool's orientation is that of three points around its origin, so that it is valid for every effect, whatever it
+//! moves. The derivatives are those of the nominal robot at the tool's real place: effects change them by thousandths,
+//! so that every step leaves a thousandth of the error, and they cost next to nothing compared with the exact ones of
+//! a model with gravity in it.
 
 use std::borrow::Cow;
 
@@ -53,9 +51,9 @@ pub(crate) const DAMPED_BELOW: f64 = 0.04;
 pub struct Reached {
     /// The commands, rad or mm.
     pub q: Vec<f64>,
-    /// What is missing of the position, mm.
+    /// The remaining error of the position, mm.
     pub position_mm: f64,
-    /// What is missing of the orientation, rad.
+    /// The remaining error of the orientation, rad.
     pub rotation_rad: f64,
     /// Whether the tool can hardly be moved in some direction there.
     pub singular: bool,
@@ -218,7 +216,7 @@ fn commands_of_block(
 )]
 struct State {
     done: bool,
-    /// The last step was none any more; where it ended is seen once more.
+    /// The last step was negligible; its end is evaluated once more.
     stepped: bool,
     singular: bool,
     /// Whether the last step was damped.
@@ -262,7 +260,7 @@ pub fn conditioning(robot: &Robot, q: &[f64], free: &[usize]) -> f64 {
     }
 }
 
-/// The tool at one pose: its origin and the points that carry its orientation.
+/// The tool at one pose: its origin and the points that define its orientation.
 #[derive(Debug, Clone, Copy, Default)]
 struct ToolAtPose {
     /// Origin, and points along x, y and z of the tool frame, mm.
@@ -311,7 +309,7 @@ impl ToolAtPose {
         Pose::from_parts(at.into(), rotation)
     }
 
-    /// What is missing of a pose: a way, mm, and a rotation vector, rad.
+    /// The remaining error of a pose: a translation, mm, and a rotation vector, rad.
     fn missing(&self, wanted: &Pose) -> ([f64; 3], [f64; 3]) {
         let way = minus(wanted.translation.vector.into(), self.at[0]);
         let matrix = wanted.rotation.to_rotation_matrix();
@@ -370,7 +368,7 @@ impl<'r> Scale<'r> {
         DMatrix::from_iterator(6, free.len(), columns.copied())
     }
 
-    /// The way and the turn that each free joint gives the tool, with the joints that follow it: in parts of the
+    /// The translation and the turn of the tool for each free joint, with the joints that follow it: in parts of the
     /// reach, and in rad, for a [`Scale::unit`] of the joint.
     fn columns(
         &self,
@@ -437,7 +435,7 @@ impl<'r> Scale<'r> {
         if state.position_only {
             return;
         }
-        // What the position leaves free turns the tool: Jr (1 − Jp⁺ Jp), column by column.
+        // The null space of the position turns the tool: Jr (1 − Jp⁺ Jp), column by column.
         let across = columns
             .iter()
             .fold(Matrix3::zeros(), |sum, (p, r)| sum + r * p.transpose());

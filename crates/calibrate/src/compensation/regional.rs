@@ -7,11 +7,10 @@
 //! so x gets Δl1 and y gets l1·Δθ, in the base frame, the same for every pose of the region. x is
 //! along the radius at home, y a quarter turn further in the joint's positive sense; z is not used.
 //!
-//! A joint cannot move to any position, only turn. The command that comes closest to `q_c` is its
-//! direction as seen from the axis, and what stays is how far `q_c` is off the circle. (Adding Δθ
-//! itself to the command would not do: M Δρ leaves out the rotation, so Δθ is the turn at home and
-//! Δl1 holds a part of it elsewhere.) For several reflectors the angle is the best for all of them
-//! together (least squares, in closed form).
+//! A joint cannot move to any position, only turn. The command that comes closest to `q_c` is its direction as seen
+//! from the axis, and the residual is the distance of `q_c` from the circle. (Adding Δθ itself to the command would
+//! not do: M Δρ leaves out the rotation, so Δθ is the turn at home and Δl1 contains a part of it elsewhere.) For
+//! several reflectors the angle is the best for all of them together (least squares, in closed form).
 
 use crate::effects::{Inputs, JointFrame};
 use crate::kinematics::Robot;

@@ -1,11 +1,11 @@
-//! What no joint can remove: how large it is, what it comes from, and what would remove it.
+//! The residual that no joint can remove: how large it is, what causes it, and what would remove it.
 //!
-//! The commands are corrected for the very conditions of each pose, so that what stays is the
-//! model's statement about the machine and not about a table. For one turning joint it is split
-//! into the parts along the radius and along the axis; around the axis nothing stays.
+//! The commands are corrected for the very conditions of each pose, so that the residual is the model's statement
+//! about the machine and not about a table. For one revolute joint it is split into the parts along the radius and
+//! along the axis; around the axis it is zero.
 //!
-//! The share of an effect is what would stay if it were the only one. Shares do not add up (a base
-//! offset may take away a part of a short link), so they are ranked and not summed.
+//! The share of an effect is the residual if it were the only one. Shares do not add up (a base offset may cancel a
+//! part of a short link), so they are ranked and not summed.
 
 use crate::effects::{Inputs, JointFrame, called};
 use crate::lanes::{dot, minus};
@@ -16,7 +16,7 @@ use crate::thresholds::NOTHING_MM;
 
 use super::plan::Compensation;
 
-/// What one effect leaves behind.
+/// The residual of one effect.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Share {
     /// The effect.
@@ -38,7 +38,7 @@ pub struct Remainder {
     pub max_mm: f64,
     /// Root mean square along the radius and along the axis, mm; for one turning joint.
     pub radial_axial_mm: Option<[f64; 2]>,
-    /// The effects that leave something behind, largest first.
+    /// The effects with a residual, largest first.
     pub shares: Vec<Share>,
 }
 
@@ -47,12 +47,12 @@ impl Remainder {
     pub fn new(calibration: &Calibration, inputs: &Inputs) -> Self {
         let compensation = Compensation::new(calibration);
         let inputs = &*inputs.fitted_to(calibration.model.robot.joints.len());
-        let left = left_over(&compensation, inputs);
-        let lengths = left.iter().map(|v| dot(*v, *v).sqrt());
+        let residuals = left_over(&compensation, inputs);
+        let lengths = residuals.iter().map(|v| dot(*v, *v).sqrt());
         Self {
-            rms_mm: rms(&left),
+            rms_mm: rms(&residuals),
             max_mm: lengths.fold(0.0, f64::max),
-            radial_axial_mm: radial_and_axial(&compensation, inputs, &left),
+            radial_axial_mm: radial_and_axial(&compensation, inputs, &residuals),
             shares: shares(calibration, &compensation, inputs),
         }
     }
@@ -99,7 +99,7 @@ fn rms(vectors: &[[f64; 3]]) -> f64 {
 fn radial_and_axial(
     compensation: &Compensation,
     inputs: &Inputs,
-    left: &[[f64; 3]],
+    residuals: &[[f64; 3]],
 ) -> Option<[f64; 2]> {
     let robot = &compensation.robot.robot;
     if robot.joints.len() != 1 || robot.joints[0].kind != crate::kinematics::JointKind::Revolute {
@@ -108,33 +108,33 @@ fn radial_and_axial(
     let frame = JointFrame::new(robot, 0);
     let nominal = compensation.nominal.predict(inputs);
     let (mut radial, mut axial) = (0.0, 0.0);
-    for (i, left) in left.iter().enumerate() {
+    for (i, residual) in residuals.iter().enumerate() {
         let arm = minus(nominal.get(i), frame.origin_mm);
         let height = dot(arm, frame.along);
         let across = minus(arm, frame.along.map(|v| v * height));
         let radius = dot(across, across).sqrt();
         if radius > 0.0 {
-            radial += (dot(*left, across) / radius).powi(2);
+            radial += (dot(*residual, across) / radius).powi(2);
         }
-        axial += dot(*left, frame.along).powi(2);
+        axial += dot(*residual, frame.along).powi(2);
     }
-    let n = left.len().max(1) as f64;
+    let n = residuals.len().max(1) as f64;
     Some([(radial / n).sqrt(), (axial / n).sqrt()])
 }
 
 fn shares(calibration: &Calibration, all: &Compensation, inputs: &Inputs) -> Vec<Share> {
     if all.regional.is_some() {
-        let left = rms(&left_over(all, inputs));
+        let residual_mm = rms(&left_over(all, inputs));
         let share = Share {
             effect: "regional correction",
             joint: Some(1),
-            rms_mm: left,
+            rms_mm: residual_mm,
             remedy: text!(
                 "its part along the radius belongs into the tool data (l1) or the base data \
                      of the controller; the exact method says into which"
             ),
         };
-        return if left > NOTHING_MM {
+        return if residual_mm > NOTHING_MM {
             vec![share]
         } else {
             Vec::new()

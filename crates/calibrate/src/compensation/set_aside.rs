@@ -25,8 +25,7 @@ pub(super) fn of_its_own(
     Some(marked)
 }
 
-/// What there is to say of the suspected samples among those that count, from the lengths of what is left
-/// of every sample, mm.
+/// The findings about the suspected samples among those that count, from the residuals of every sample, mm.
 pub(super) fn findings(
     session: &Session,
     lengths_mm: &[f64],

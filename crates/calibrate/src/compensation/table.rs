@@ -5,11 +5,11 @@
 //! step that does not divide the travel is made smaller until it does. Between entries the value
 //! is interpolated linearly.
 //!
-//! A robot with several joints gets a table that depends on one joint only: it cancels what the
-//! effects of this joint do to its own angle (zero offset, scale, eccentricity, backlash …), so
-//! that it stands where it is told. Errors of the geometry depend on all joints at once and have no
-//! place in such a table; they belong into the controller's kinematic data. Where the joint's
-//! wind-up depends on the other joints (compliance), they stand at home, and the table says so.
+//! A robot with several joints gets a table that depends on one joint only: it cancels the effects of this joint on
+//! its own angle (zero offset, scale, eccentricity, backlash …), so that it goes where it is commanded. Errors of the
+//! geometry depend on all joints at once and cannot be in such a table; they belong into the controller's kinematic
+//! data. Where the joint's wind-up depends on the other joints (compliance), they are at home, and the table states
+//! it.
 
 use crate::effects::{JointFrame, Stage, Term};
 use crate::kinematics::{JointKind, Range};
@@ -141,7 +141,7 @@ impl JointTable {
         Ok(table)
     }
 
-    /// Unit of the joint as names and texts carry it.
+    /// Unit of the joint as in names and texts.
     pub fn unit(&self) -> &'static str {
         self.kind.unit()
     }
@@ -166,7 +166,7 @@ impl JointTable {
         UniformTable::new(from, step, &values)
     }
 
-    /// What there is to know about it beside its numbers.
+    /// Notes on the table.
     fn add_notes(&mut self, calibration: &Calibration, travel: Range) {
         let (unit, outer) = (self.unit(), |v: f64| self.to_display(v));
         let mut notes = Vec::new();
@@ -252,7 +252,7 @@ fn unexplained_part(calibration: &Calibration, joint: usize) -> Vec<Text> {
     let slides = model.robot.joints[joint].kind == JointKind::Prismatic;
     let own = model.terms().iter().filter(|t| t.joint == joint);
     let curves = own.filter_map(Term::curve);
-    let says = curves.map(|curve| {
+    let notes = curves.map(|curve| {
         let (unit, outer): (&str, fn(f64) -> f64) = if slides {
             (" mm", |v| v)
         } else {
@@ -265,7 +265,7 @@ fn unexplained_part(calibration: &Calibration, joint: usize) -> Vec<Text> {
             to = format!("{:.2}{unit}", outer(curve.knots().to))
         )
     });
-    says.collect()
+    notes.collect()
 }
 
 /// Equal steps over the travel, in the user's unit.
@@ -338,7 +338,7 @@ impl EqualSteps {
     }
 }
 
-/// A number without the last bits that a conversion left behind: 90.00000000000001 becomes 90.
+/// A number without the last bits of a conversion: 90.00000000000001 becomes 90.
 fn tidy(value: f64) -> f64 {
     let rounded = (value * 1e9).round() / 1e9;
     if (value - rounded).abs() <= rounding::LAST_BITS * value.abs().max(1.0) {
@@ -377,8 +377,7 @@ fn own_effects(model: &Model, joint: usize) -> Model {
     Model::new(model.robot.clone(), terms.collect())
 }
 
-/// What a joint of an arm can correct of its own value: its effects alone, seen at a point with a
-/// long lever about it.
+/// What a joint of an arm can correct of its own value: its effects alone, at a point with a long lever about it.
 fn own_correction(
     calibration: &Calibration,
     joint: usize,

@@ -5,9 +5,9 @@ use crate::text::{Text, length};
 /// Why there is no table.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TableError {
-    /// The model says what another table leaves.
+    /// The model contains the residual of another table.
     AlreadyCompensated(String),
-    /// The model leaves an error of the robot's size.
+    /// The model has a residual of the robot's size.
     Gross {
         /// RMS error, mm.
         left_mm: f64,

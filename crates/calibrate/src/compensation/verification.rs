@@ -1,26 +1,27 @@
-//! How well a calibration does on a session: its own, or another one of the same robot.
+//! The errors of a calibration on a session: its own, or another one of the same robot.
 //!
-//! - *nominal*: measured − nominal robot, of a session with setups seen from where each stands best. *model*: measured − model.
+//! - *nominal*: measured − nominal robot, of a session with setups from where each fits best. *model*: measured −
+//!   model.
 //! - *within tolerance*: poses whose deviation is at most the tolerance, before (nominal) and after
 //!   (model); the tolerance is the session's, else the calibration's.
-//! - *compensated*: what would be measured with the table active, measured − model + what the model
-//!   says stays: noise and everything unknown are in it. The table is for the reference conditions,
-//!   so what load, warmth and speed do at the sample stays in as well.
-//! - *cannot be removed by joints*: what stays of the model when each command is corrected for its
+//! - *compensated*: what would be measured with the table active, measured − model + the model's
+//!   own residual: it contains noise and everything unknown. The table is for the reference conditions,
+//!   so the effects of load, warmth and speed at the sample are in it as well.
+//! - *cannot be removed by joints*: the residual of the model when each command is corrected for its
 //!   own conditions; root mean square over the poses.
 //!
 //! A session that was measured with a table active (`compensated_by`) is not compensated a second
 //! time. If it was this model's table, the model predicts where the corrected commands lead.
 //!
-//! Frames of another session (a bump of the tripod, its drift, its setups) are none of this one's:
-//! they count only where the samples are the ones that the calibration came from. A setup that the model
-//! knows by its name stands where the model says; for another one the frame is fitted, and that is said.
-//! So is the tool's position in a session with another tool or other targets: joints and links carry over.
+//! Frames of another session (a bump of the tripod, its drift, its setups) do not apply to this one: they count only
+//! where the samples are the ones that the calibration came from. A setup that the model knows by its name is where
+//! the model has it; for another one the frame is fitted, and that is reported. So is the tool's position in a session
+//! with another tool or other targets: joints and links carry over.
 //!
-//! Every RMS error is over all samples, suspected outliers among them; beside it stands what is left without
-//! those, with their number, and where they are many or belong together that is a problem of the data. Of the
-//! session that the model came from the held-out samples are apart. For the paper's method everything is in
-//! the plane of motion; z is not used.
+//! Every RMS error is over all samples, including suspected outliers; in addition there is the one without those, with
+//! their number, and where they are many or belong together that is a problem of the data. Of the session that the
+//! model came from the held-out samples are separate. For the paper's method everything is in the plane of motion; z
+//! is not used.
 
 use crate::budget;
 use crate::effects::{Inputs, MEASURING_FRAME, Owner, Role, Term, called};
@@ -59,13 +60,13 @@ pub struct WithinTolerance {
 /// The robot with its commands corrected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Compensated {
-    /// The gap to the nominal robot, mm.
+    /// The error of the nominal robot, mm.
     pub gap: Spread,
     /// What no joint can remove, root mean square, mm.
     pub cannot_be_removed_by_joints_mm: f64,
 }
 
-/// The error that is left without the samples that are suspected outliers.
+/// The error without the samples that are suspected outliers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trimmed {
     /// RMS error of the nominal robot, mm.
@@ -86,13 +87,13 @@ impl Trimmed {
     ) -> Option<Self> {
         let is_set_aside = |i: &usize| counts(*i) && suspected[*i];
         let set_aside = (0..model_mm.len()).filter(is_set_aside).count();
-        let left = |lengths_mm: &[f64]| {
-            let left = Spread::of(lengths_mm, |i| counts(i) && !suspected[i], |_| false);
-            left.map_or(f64::NAN, |left| left.rms_mm)
+        let rms_mm = |lengths_mm: &[f64]| {
+            let spread = Spread::of(lengths_mm, |i| counts(i) && !suspected[i], |_| false);
+            spread.map_or(f64::NAN, |spread| spread.rms_mm)
         };
         (set_aside > 0).then(|| Self {
-            nominal_mm: left(nominal_mm),
-            model_mm: left(model_mm),
+            nominal_mm: rms_mm(nominal_mm),
+            model_mm: rms_mm(model_mm),
             set_aside,
         })
     }
@@ -116,9 +117,9 @@ pub struct Verification {
     pub session: String,
     /// Number of samples that could be used.
     pub samples: usize,
-    /// Gap to the nominal robot.
+    /// Error of the nominal robot.
     pub nominal: Spread,
-    /// Gap to the model.
+    /// Error of the model.
     pub model: Spread,
     /// `None` without a tolerance.
     pub within_tolerance: Option<WithinTolerance>,
@@ -137,7 +138,7 @@ pub struct Verification {
     pub data_problems: Vec<DataProblem>,
     /// Suspected outliers, counted from 0.
     pub outliers: Vec<usize>,
-    /// What else there is to say.
+    /// Other notes.
     pub notes: Vec<Text>,
 }
 
@@ -149,7 +150,7 @@ pub(super) struct Compared<'p, 'a> {
     /// Suspected outliers.
     pub(super) suspected: &'p [bool],
     pub(super) tolerance_mm: Option<f64>,
-    /// What corrected commands would leave, and what no joint can remove, root mean square, mm.
+    /// The errors with corrected commands, and what no joint can remove, root mean square, mm.
     pub(super) with_table: Option<(Deviations, f64)>,
 }
 
@@ -168,9 +169,9 @@ impl Compared<'_, '_> {
             let lengths = d.length_mm.iter().zip(&problem.fit);
             lengths.filter(|(l, counts)| **counts && **l <= mm).count()
         };
-        let compensated = |(left, cannot): &(Deviations, f64)| {
+        let compensated = |(deviations, cannot): &(Deviations, f64)| {
             Some(Compensated {
-                gap: spread(left)?,
+                gap: spread(deviations)?,
                 cannot_be_removed_by_joints_mm: *cannot,
             })
         };
@@ -250,8 +251,8 @@ pub(super) fn held_out_of(problem: &Problem, own: bool) -> Vec<bool> {
     (0..problem.usable.len()).map(is_apart).collect()
 }
 
-/// Samples that the figures are taken over: every one that can be used, of the session that a model came from
-/// those that may be fitted. Where that leaves none, all.
+/// Samples that the figures are taken over: every one that can be used, of the session that a model came from those
+/// that may be fitted. Where there are none of these, all.
 pub(super) fn counted(problem: &Problem, apart: &[bool]) -> Vec<bool> {
     let pairs = problem.usable.iter().zip(apart);
     let counted: Vec<bool> = pairs.map(|(usable, apart)| *usable && !apart).collect();
@@ -286,11 +287,11 @@ pub(super) fn same_robot(
     session: &Session,
 ) -> Result<Vec<Text>, VerifyError> {
     let kinds = |robot: &crate::kinematics::Robot| {
-        let said = |kind: JointKind| match kind {
+        let kind_in_words = |kind: JointKind| match kind {
             JointKind::Revolute => Text::named(kind.name(), phrase!("revolute")),
             JointKind::Prismatic => Text::named(kind.name(), phrase!("prismatic")),
         };
-        Text::listed(robot.joints.iter().map(|j| said(j.kind)), ", ")
+        Text::listed(robot.joints.iter().map(|j| kind_in_words(j.kind)), ", ")
     };
     let (a, b) = (&session.robot, &calibration.model.robot);
     let (a, b) = (kinds(a), kinds(b));
@@ -306,7 +307,7 @@ pub(super) fn same_robot(
         .iter()
         .zip(&calibration.model.robot.joints);
     let same_axes = same.into_iter().all(|(a, b)| a.axis == b.axis);
-    // The tool of an arm is fitted; a single axis has effects of its own for where its tool is.
+    // The tool of an arm is fitted; a single axis has separate effects for the place of its tool.
     let same_tool = session.robot.base_from_tool == calibration.model.robot.base_from_tool;
     Ok(
         match (same_axes, same_tool || session.robot.joints.len() > 1) {
@@ -343,7 +344,7 @@ pub(super) fn applied_corrections(
     ours.then(|| compensation.joint_corrections(&table))
 }
 
-/// Terms of the model of which a coefficient was held in the fit because no sample shows it: its variance is none.
+/// Terms of the model of which a coefficient was held in the fit because no sample shows it: its variance is zero.
 fn are_held(calibration: &Calibration) -> Vec<bool> {
     let mut first = 0;
     let terms = calibration.model.terms().iter();
@@ -357,8 +358,9 @@ fn are_held(calibration: &Calibration) -> Vec<bool> {
     held.collect()
 }
 
-/// Whether a model is less sure of where samples are, seen from a frame, than the nominal robot was right where it was
-/// measured: one joint that was swept leaves the instrument's place open by all that other joints may be off.
+/// Whether a model's predictions in a fitted frame are less certain than those of the nominal robot were right where
+/// it was measured: one joint that was swept leaves the place of the instrument undetermined by the errors of the
+/// other joints.
 fn is_unsure(
     calibration: &Calibration,
     frame: &Term,
@@ -379,9 +381,9 @@ fn is_unsure(
     unsure_mm.is_some_and(|unsure_mm| unsure_mm > nominal.gap_mm)
 }
 
-/// The model as it applies to this session: shifts and drifts of another one are left out. A setup
-/// that the model knows by name stands where the model says, another one, and one whose frame the model's own samples
-/// did not determine (two poses of one reflector), where it fits best.
+/// The model as it applies to this session, without shifts and drifts of another one. A setup that the model knows by
+/// name is where the model has it, another one, and one whose frame the model's own samples did not determine (two
+/// poses of one reflector), where it fits best.
 pub(super) fn model_for(
     calibration: &Calibration,
     session: &Session,
@@ -393,7 +395,7 @@ pub(super) fn model_for(
     }
     let is_frame = |t: &Term| t.effect.about().role == Role::FreeFrame;
     let setups = session.samples.setups.as_ref();
-    // Without setups on either side there is one instrument, and it stands where it stood.
+    // Without setups on either side there is one instrument, and it was not moved.
     let arm = session.robot.joints.len() > 1;
     let one_place = |t: &Term| arm && is_frame(t) && t.label.is_none() && setups.is_none();
     let theirs = |t: &Term| t.effect.about().owner == Owner::Session && !one_place(t);
@@ -472,13 +474,13 @@ pub(super) fn where_the_model_is(
     if compensation.regional.is_some() {
         return compensation.reached(inputs, corrections);
     }
-    let mut told = inputs.clone();
-    for (q, by) in told.q.iter_mut().zip(corrections) {
+    let mut corrected_inputs = inputs.clone();
+    for (q, by) in corrected_inputs.q.iter_mut().zip(corrections) {
         for (q, by) in q.to_mut().iter_mut().zip(by) {
             *q += by;
         }
     }
-    full.predict(&told)
+    full.predict(&corrected_inputs)
 }
 
 /// Deviations of the measured points from expected ones; NaN where a sample cannot be used.

@@ -1,4 +1,4 @@
-//! Whether a calibration does on a session what it promises.
+//! Verification: whether a calibration has the stated error on a session.
 
 use crate::model::Calibration;
 use crate::sessions::Session;

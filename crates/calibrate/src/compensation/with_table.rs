@@ -1,5 +1,5 @@
-//! What corrected commands and tables leave of a session: positions that are reached with them, beside where the
-//! model is without.
+//! The residuals of a session with corrected commands and tables: positions that are reached with them, compared with
+//! the model without.
 
 use crate::effects::{Inputs, JointValues};
 use crate::fit::gap::Spread;
@@ -66,13 +66,12 @@ fn gap(
     let compensation = Compensation::new(calibration);
     let full = model_for(calibration, session, &problem, &mut Vec::new());
     let expected = expected(&compensation, &problem.inputs, &full);
-    let left = measured_minus(session, &problem, &compensation, |i| expected[i]);
-    Spread::of(&left.length_mm, |i| problem.usable[i], |_| false)
+    let residuals = measured_minus(session, &problem, &compensation, |i| expected[i]);
+    Spread::of(&residuals.length_mm, |i| problem.usable[i], |_| false)
 }
 
-/// The RMS error that a table leaves on a session, `correction` being what the controller adds for a
-/// sample of this command and side of one joint, all as the controller counts them (rad or mm). The other
-/// joints go uncorrected.
+/// The RMS error on a session with a table, `correction` being what the controller adds for a sample of this command
+/// and side of one joint, all as the controller counts them (rad or mm). The other joints are not corrected.
 pub fn gap_with_table(
     calibration: &Calibration,
     session: &Session,
@@ -112,7 +111,7 @@ pub fn gap_without_table(calibration: &Calibration, session: &Session) -> Option
     gap_with_table(calibration, session, 0, |_, _| 0.0)
 }
 
-/// The gap to another description of the robot, the instrument's own effects being left to it.
+/// The error of another description of the robot, the instrument's own effects being left to it.
 pub fn gap_to_robot(
     calibration: &Calibration,
     session: &Session,

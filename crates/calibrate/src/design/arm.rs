@@ -1,11 +1,11 @@
-//! Poses of a robot with several joints: those that show most of its geometry, whatever is measured.
+//! Poses of a robot with several joints that determine most of its geometry, whatever is measured.
 //!
-//! Candidates are spread over the joint limits, for every way of measuring that the session has: its
-//! targets, anchors, stations, planes, sockets. Where a target is held in a place a candidate is moved
-//! there; what the instrument does not see ([`super::line_of_sight`]) is none. They compete ([`super::candidate_set`]) in the information
-//! about the whole base model ([`crate::fit::base_model`]) beside its weak priors and what was measured
-//! already; then what was chosen competes with poses around it. Which effects the poses show beside the
-//! geometry is a matter of conditions ([`super::conditions`]).
+//! Candidates are spread over the joint limits, for every way of measuring that the session has: its targets, anchors,
+//! stations, planes, sockets. Where a target is held in a place a candidate is moved there; poses that the instrument
+//! cannot see ([`super::line_of_sight`]) are excluded. They compete ([`super::candidate_set`]) in the information
+//! about the whole base model ([`crate::fit::base_model`]), added to its weak priors and to what was measured already;
+//! then what was chosen competes with poses around it. Which effects the poses show in addition to the geometry is a
+//! matter of conditions ([`super::conditions`]).
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -86,7 +86,7 @@ impl Arm {
             session.instrument.sigma_mm = Some(Sigma::Overall(sigma_mm));
             session.instrument.tracker = None;
         } else if points && !per_axis {
-            // The noise is what the fit leaves, in the mean of the axes that were measured.
+            // The noise is that of the residuals, in the mean of the axes that were measured.
             let unit = problem.noise.as_ref().map_or(1.0, |noise| {
                 let of = noise.sigma_mm.iter().zip(&problem.axis_weights);
                 let squares = of.filter(|own| *own.1 > 0.0).map(|own| own.0 * own.0);
@@ -128,7 +128,7 @@ impl Arm {
             base: Model::nominal(robot.clone()),
             priors: Priors::unmeasured(Instrument::default().targets_sigma_mm),
             ranges: ranges(robot, None),
-            // Beside the tool's origin a target has to be mounted first.
+            // Away from the tool's origin a target has to be mounted first.
             mounted: 1,
             ways: (0..targets.len()).map(way).collect(),
             cone_rad: options.cone_rad,
@@ -147,7 +147,7 @@ impl Arm {
     }
 
     /// The same once these poses are measured.
-    pub(crate) fn beside_planned(mut self, planned: &[NextPose]) -> Self {
+    pub(crate) fn with_planned(mut self, planned: &[NextPose]) -> Self {
         let targets = self.session.targets.clone();
         if !planned.is_empty() {
             self.session = extended(&self.session, &self.base, planned, &targets);

@@ -73,7 +73,7 @@ impl Candidate {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Writing<'t> {
     pub(crate) targets: &'t [Target],
-    /// So many of the targets are there already; a pose of another says where it has to be mounted.
+    /// So many of the targets are there already; a pose of another states where it has to be mounted.
     pub(crate) mounted: usize,
     pub(crate) speeds: bool,
     pub(crate) loads: bool,

@@ -1,5 +1,5 @@
-//! What may be measured next beside a session: places within the limits, sides of approach, speeds, loads,
-//! temperatures and reflectors, as every combination of them.
+//! Candidate poses for a session: places within the limits, sides of approach, speeds, loads, temperatures and
+//! reflectors, as every combination of them.
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -19,7 +19,7 @@ const MOST_WAYS: usize = 6;
 
 /// Angles that are tried over the range of a joint.
 const ANGLES: usize = 24;
-/// Joint vectors of an arm that are drawn at random beside the sweeps of single joints.
+/// Joint vectors of an arm that are drawn at random in addition to the sweeps of single joints.
 const VECTORS: usize = 60;
 
 /// Conditions that are offered; every combination of them is a choice.
@@ -62,7 +62,7 @@ impl Conditions {
     }
 }
 
-/// What is offered beside a session: its reflectors and perhaps one more, under all conditions.
+/// The candidates for a session: its reflectors and perhaps one more, under all conditions.
 #[derive(Debug, Clone)]
 pub(crate) struct CandidatePoses {
     /// The ways in which the session measures where that is not points alone: every candidate is measured

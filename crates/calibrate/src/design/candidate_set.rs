@@ -1,5 +1,5 @@
-//! What candidate poses of a robot with several joints show of its geometry beside what is known, and the
-//! best of them (D-optimality): chosen greedily and exchanged, then exchanged for poses around them.
+//! The information of candidate poses about the geometry of a robot with several joints, added to what is known, and
+//! the best of them (D-optimality): chosen greedily and exchanged, then exchanged for poses around them.
 //!
 //! ```text
 //! C⁻¹ = diag(σ⁻²) + J₀ᵀJ₀ + Σ JᵢᵀJᵢ
@@ -36,13 +36,13 @@ pub(crate) struct CandidateSet {
     model: Model,
     /// Samples that were measured before.
     pub(crate) before: usize,
-    /// What these show, and what is stated of the targets' places: all but the weak priors.
+    /// The information of what was measured and of the stated places of targets: all but the weak priors.
     measured: DMatrix<f64>,
     workspace: Workspace,
 }
 
 impl Arm {
-    /// Candidates beside what was measured. Without a model it is found what they can show.
+    /// Candidates in addition to what was measured. Without a model their coefficients are determined here.
     fn set(&self, candidates: Vec<Candidate>, model: Option<&Model>) -> CandidateSet {
         let whole = self.with(&candidates, false);
         let before = self.session.samples.len();
@@ -69,7 +69,7 @@ impl Arm {
         }
     }
 
-    /// What is known beforehand of some coefficients of a model.
+    /// The prior information on some coefficients of a model.
     pub(crate) fn prior_information(&self, model: &Model, columns: &[usize]) -> DMatrix<f64> {
         precision(&self.priors, model, columns, |term, k| {
             let kind = model.robot.joints[term.joint].kind;
@@ -77,7 +77,7 @@ impl Arm {
         })
     }
 
-    /// Candidates over the joint ranges beside what was measured; `None` where there are none.
+    /// Candidates over the joint ranges in addition to what was measured; `None` where there are none.
     pub(crate) fn spread(&self) -> Option<CandidateSet> {
         let candidates = self.candidates(CANDIDATES, true, &mut self.random(1));
         (!candidates.is_empty()).then(|| self.set(candidates, None))

@@ -1,5 +1,5 @@
-//! A comparison: one model predicts what will be measured, another is refitted to it; how far apart
-//! the two stay is what the poses are worth (T-optimality, Atkinson & Fedorov 1975).
+//! A comparison: one model predicts what will be measured, another is refitted to it; how far apart the two stay is
+//! the value of the poses (T-optimality, Atkinson & Fedorov 1975).
 //!
 //! ```text
 //! Δ = min_β ‖d − J β‖² + βᵀ G β,   d the difference at the new poses, J the rival's columns there,
@@ -12,8 +12,8 @@
 //! Δ += rᵀ S⁻¹ r,   β += C Jᵀ S⁻¹ r,   C −= C Jᵀ S⁻¹ J C,   S = 1 + J C Jᵀ
 //! ```
 //!
-//! Of the models that a rival is held against, r in the rows of all candidates is updated instead of β, which is
-//! the same; of the many draws of what is measured ([`super::decision`]), β.
+//! Of the models that a rival is compared with, r in the rows of all candidates is updated instead of β, which is the
+//! same; of the many draws of what is measured ([`super::decision`]), β.
 //!
 //! The log-odds after measuring are L + Δ/2 ± √Δ, L the odds so far. That is for one pair whose
 //! sizes are known; [`super::decision`] counts all pairs and all sizes that are possible.
@@ -30,8 +30,8 @@ use crate::diagnosis::evidence::Regression;
 use crate::lanes::LANES;
 use crate::model::Model;
 
-/// A model that is refitted to what each of some others shows at the candidates that are taken. What it
-/// knows of itself is the same beside all of them.
+/// A model that is refitted to the predictions of each of some others at the candidates that are taken. Its own
+/// information is the same for all of them.
 #[derive(Clone)]
 pub(crate) struct Comparison {
     information: Information,
@@ -45,7 +45,7 @@ pub(crate) struct Comparison {
 /// How far one of the others is from what is refitted.
 #[derive(Debug, Clone)]
 pub(crate) struct ModelDistance {
-    /// What the refit leaves as it is now, in the rows of all candidates.
+    /// The present residual of the refit, in the rows of all candidates.
     residual: DVector<f64>,
     pub(crate) delta: f64,
     /// How far apart the models have to be.
@@ -67,7 +67,7 @@ impl ModelDistance {
         self.delta >= self.enough
     }
 
-    /// How much of what is needed there is.
+    /// The share of what is needed.
     pub(crate) fn share(&self) -> f64 {
         (self.delta / self.enough).min(1.0)
     }
@@ -90,8 +90,8 @@ impl Comparison {
         }
     }
 
-    /// `truth` against `other` where it was there already while the samples were measured, and `other` was
-    /// fitted to what it made of them; the samples count so much.
+    /// `truth` against `other` where it was present already while the samples were measured, and `other` was fitted to
+    /// them; the samples count so much.
     pub(crate) fn from_the_start(
         field: &Field,
         [truth, other]: [&Model; 2],
@@ -107,7 +107,7 @@ impl Comparison {
         // Of many parameters these columns and those of all candidates need not have room at once.
         drop((white, columns));
         let mut seen = field.rows(truth, other);
-        let mut covariance = covariance::beside(&gram, &seen);
+        let mut covariance = covariance::given_samples(&gram, &seen);
         let mut at_first = &covariance * &pull;
         let explained = at_first.dot(&pull);
         // The frames of setups that are over are of use for the other parameters only.
@@ -185,7 +185,7 @@ impl Comparison {
     }
 }
 
-/// `‖L⁻¹ r‖²`: what a candidate leaves, in independent units of what it is known to. `white` becomes `L⁻¹ r`.
+/// `‖L⁻¹ r‖²`: the residual of a candidate in independent units of its standard deviations. `white` becomes `L⁻¹ r`.
 fn whitened_square(root: &DMatrix<f64>, residual: &[f64], white: &mut [f64]) -> f64 {
     let mut square = 0.0;
     for (i, new) in residual.iter().enumerate() {
@@ -224,7 +224,7 @@ mod tests {
         for (k, (d, j)) in rows.iter().enumerate() {
             (all.difference[k], all.columns[(0, k)]) = (*d, *j);
         }
-        let covariance = covariance::beside(&DMatrix::from_element(1, 1, known), &all);
+        let covariance = covariance::given_samples(&DMatrix::from_element(1, 1, known), &all);
         let distance = ModelDistance::new(all.difference.clone(), 10.0);
         Comparison::new(all, covariance, vec![distance], draws)
     }

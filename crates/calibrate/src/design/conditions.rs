@@ -1,10 +1,10 @@
-//! Under which conditions the poses of a robot with several joints are measured: from which side every
-//! joint comes, with which load, how warm, so that they tell most of the effects beside the geometry.
+//! The conditions of the poses of a robot with several joints: from which side every joint comes, with which load, how
+//! warm, so that they determine most of the effects in addition to the geometry.
 //!
 //! Loads and temperatures follow a schedule in four stretches; which pose is measured in which stretch, and from which sides, is
 //! chosen by the information about every effect of the catalogue (D-optimality, `exchange`).
-//! Within a stretch the poses are put into a short way. All are measured at standstill, after an
-//! approach of its own that is as long for every pose ([`approach`]).
+//! Within a stretch the poses are put into a short way. All are measured at standstill, after a separate approach that
+//! is as long for every pose ([`approach`]).
 
 use super::decision::WIDEST;
 use crate::{fewest, rounding};
@@ -144,7 +144,7 @@ impl Criterion for ConditionedPoses {
     fn worths(&self) -> Vec<f64> {
         let of = |k: usize| {
             let free = !self.used[self.pose[k]] && self.free_in_stretch[self.stretch[k]] > 0;
-            // Where nothing is to be told any more the pose is measured all the same.
+            // Where nothing more can be gained the pose is measured nevertheless.
             if free {
                 self.information.gain(k).max(rounding::WRITTEN)
             } else {
@@ -161,7 +161,7 @@ impl Criterion for ConditionedPoses {
     }
 }
 
-/// What the candidates show of geometry and effects beside what was measured.
+/// The information of the candidates on geometry and effects, added to what was measured.
 fn information(
     arm: &Arm,
     candidates: &[Candidate],
@@ -190,7 +190,7 @@ fn information(
     let all = arm.base.terms().iter().chain(effects).cloned().collect();
     let model = Model::new(arm.session.robot.clone(), all);
     let columns = free(&model);
-    let (rows, beside) = shown(&whole, &model, &columns);
+    let (rows, prior) = shown(&whole, &model, &columns);
     let mut known = arm.prior_information(&model, &columns);
     let of_effect: Vec<bool> = model.columns().map(|(term, _)| !of_base(term)).collect();
     let squares = rows.squares();
@@ -203,5 +203,5 @@ fn information(
         };
     }
     rows.add_to(&mut known, 0..before);
-    Information::new(rows.from(before), inverse(&(known + beside)))
+    Information::new(rows.from(before), inverse(&(known + prior)))
 }

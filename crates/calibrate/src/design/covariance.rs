@@ -32,8 +32,8 @@ pub(crate) fn inverse(information: &DMatrix<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(p, p, |i, j| inverse[(i, j)] * scale[i] * scale[j])
 }
 
-/// Covariance of a model's parameters over what was measured already, beside candidates.
-pub(crate) fn beside(gram: &DMatrix<f64>, candidates: &Rows) -> DMatrix<f64> {
+/// Covariance of a model's parameters over what was measured already, for candidates.
+pub(crate) fn given_samples(gram: &DMatrix<f64>, candidates: &Rows) -> DMatrix<f64> {
     let mut information = gram.clone();
     for (k, reach) in candidates.squares().into_iter().enumerate() {
         information[(k, k)] += rounding::COMPUTED * (gram[(k, k)] + reach).max(1e-300);

@@ -1,9 +1,9 @@
 //! The probability that poses decide which of several explanations is true, all of them at once.
 //!
-//! Each explanation that may be true is drawn many times: its parameters from what the samples say
-//! of them, `β ~ N(β̂, C)`, and noise at every new pose. Every explanation is then refitted to the
-//! old samples and the new poses together. With `z` the deviation of the new poses from what
-//! explanation j predicts and J its columns there, its sum of squares rises by
+//! Each explanation that may be true is drawn many times: its parameters from their distribution given the samples, `β
+//! ~ N(β̂, C)`, and noise at every new pose. Every explanation is then refitted to the old samples and the new poses
+//! together. With `z` the deviation of the new poses from the prediction of explanation j and J its columns there, its
+//! sum of squares rises by
 //!
 //! ```text
 //! Q_j = zᵀ (1 + J C Jᵀ)⁻¹ z
@@ -31,16 +31,16 @@ use crate::diagnosis::search::other_settings::at_another_setting;
 use crate::effects::Term;
 use crate::{budget, odds};
 
-/// Probability that the poses decide, whichever explanation is true. It is above the 95 % that are
-/// promised by what the draws do not know: their own error, and tests beside the odds.
+/// Probability that the poses decide, whichever explanation is true. It is above the 95 % that are promised, as the
+/// draws neglect their own error, and tests besides the odds.
 pub(crate) const SURE: f64 = 0.98;
-/// What the samples say nothing of is drawn so small that it moves a pose by this many standard
-/// deviations of the noise.
+/// What the samples do not determine is drawn so small that it moves a pose by this many standard deviations of the
+/// noise.
 pub(super) const WIDEST: f64 = 10.0;
 
 pub(crate) struct Explanation {
     pub(crate) fit: Fit,
-    /// Whether the samples leave it open; the others are ruled out and have to stay so.
+    /// Whether the samples leave it possible; the others are ruled out and have to stay so.
     pub(crate) open: bool,
 }
 
@@ -65,7 +65,7 @@ pub(crate) struct Decision {
     /// Sum of squares and log-evidence of each explanation so far.
     so_far: Vec<(f64, f64)>,
     truths: Vec<Truth>,
-    /// For each pair whether a diagnosis would have to tell them apart.
+    /// For each pair whether a diagnosis would have to distinguish them.
     differ: Vec<Vec<bool>>,
     random: ChaCha8Rng,
     rows: f64,
@@ -75,8 +75,8 @@ pub(crate) struct Decision {
 }
 
 impl Decision {
-    /// Among explanations, at least one; and each of them as it is refitted to what every other shows that may
-    /// be true and is to be told from it. Their rows are relative to the first.
+    /// Among explanations, at least one; and each of them as it is refitted to the predictions of every other that may
+    /// be true and has to be distinguished from it. Their rows are relative to the first.
     pub(crate) fn new(field: &Field, explanations: &[Explanation]) -> (Self, Vec<Comparison>) {
         let mut random = ChaCha8Rng::seed_from_u64(0);
         let (mut rows, mut grams, mut truths) = (Vec::new(), Vec::new(), Vec::new());
@@ -93,7 +93,7 @@ impl Decision {
             rows.push(Arc::new(own));
             grams.push(gram);
         }
-        let differ = told_apart(field, explanations);
+        let differ = to_distinguish(field, explanations);
         let comparison = |(other, gram): (usize, &DMatrix<f64>)| {
             let own = &rows[other];
             let against = truths.iter().map(|truth| truth.index);
@@ -103,7 +103,7 @@ impl Decision {
                 ModelDistance::new(&own.difference - &rows[truth].difference, enough)
             };
             let distances = against.filter(|truth| differ[*truth][other]).map(distance);
-            let covariance = covariance::beside(gram, own);
+            let covariance = covariance::given_samples(gram, own);
             let draws = truths.len() * budget::DRAWS;
             Comparison::new(Arc::clone(own), covariance, distances.collect(), draws)
         };
@@ -200,7 +200,7 @@ impl Decision {
         (poses, unparted, probability)
     }
 
-    /// Pairs that a diagnosis has to tell apart.
+    /// Pairs that a diagnosis has to distinguish.
     fn pairs(&self) -> usize {
         let of = |truth: &Truth| self.differ[truth.index].iter().filter(|d| **d).count();
         self.truths.iter().map(of).sum()
@@ -222,9 +222,9 @@ fn least(now: &[DMatrix<u8>], counts: impl Fn(usize, usize) -> bool) -> f64 {
     now.iter().enumerate().map(of).fold(1.0, f64::min)
 }
 
-/// For each pair of explanations whether a diagnosis has to tell them apart: neither has all names of the other,
-/// or one of them differs from the first by the settings of its names alone, and the other from it.
-fn told_apart(field: &Field, explanations: &[Explanation]) -> Vec<Vec<bool>> {
+/// For each pair of explanations whether a diagnosis has to distinguish them: neither has all names of the other, or
+/// one of them differs from the first by the settings of its names alone, and the other from it.
+fn to_distinguish(field: &Field, explanations: &[Explanation]) -> Vec<Vec<bool>> {
     let names = |e: &Explanation| -> Vec<(&'static str, usize)> {
         let added = field.regression.added(&e.fit).into_iter();
         added.map(|t| (t.effect.about().id, t.joint)).collect()
@@ -242,7 +242,7 @@ fn told_apart(field: &Field, explanations: &[Explanation]) -> Vec<Vec<bool>> {
     all.clone().map(row).collect()
 }
 
-/// Deviations of a model's parameters as the samples leave them possible.
+/// Random deviations of a model's parameters within their uncertainty given the samples.
 fn drawn(gram: &DMatrix<f64>, rows: &Rows, random: &mut ChaCha8Rng) -> DMatrix<f64> {
     let mut known = gram.clone();
     for (k, squares) in rows.squares().into_iter().enumerate() {

@@ -1,8 +1,7 @@
-//! What would make an effect testable that a session cannot show: each effect is asked again with
-//! one condition after the other met, until nothing stands against it. Then poses under these
-//! conditions are chosen on which each such effect, at one and a half times the noise, cannot
-//! hide behind the model or behind another effect that is enabled with it (T-optimality, as for
-//! rivals).
+//! Poses that make an effect testable that a session cannot show: its obstacles are asked for with one condition after
+//! the other met, until there are none. Then poses under these conditions are chosen on which each such effect, at one
+//! and a half times the noise, is not imitated by the model or by another effect that is enabled with it
+//! (T-optimality, as for rivals).
 
 use std::cell::LazyCell;
 
@@ -22,14 +21,15 @@ use super::candidate::Candidate;
 use super::candidate_poses::{CandidatePoses, Conditions};
 use super::comparison::{Comparison, enough_for};
 use super::covariance;
-use super::every_effect::standing;
+use super::every_effect::at_representative_settings;
 use super::exchange::choose;
 use super::field::Field;
 use super::model_separation::ModelSeparation;
 use super::needs::{Need, Untestable, WARMING_C, lacks, test_load_kg};
 use super::reflectors::with_another;
 
-/// An effect of which the base model leaves this share (squared) over all candidates is shown by them.
+/// An effect whose projection orthogonal to the base model has this share (squared) over all candidates is determined
+/// by them.
 const NOT_IMITATED: f64 = 1e-3;
 
 /// Every effect that cannot be seen, with what would change that: a condition, or for an effect that the base model
@@ -69,16 +69,16 @@ pub(crate) fn untestable(
     not_testable.iter().map(one).collect()
 }
 
-/// Whether something of an effect is left where a model is fitted to what all candidates show of it.
+/// Whether the residual of an effect is significant where a model is fitted to it over all candidates.
 fn not_imitated(field: &Field, base: &Model, effect: &'static Effect, joint: usize) -> bool {
     let rows = field.rows(&base.with_term(small(field, base, effect, joint)), base);
     let pull = &rows.columns * &rows.difference;
     let all = rows.difference.norm_squared();
-    let imitated = pull.dot(&(covariance::beside(&rows.information(), &rows) * &pull));
+    let imitated = pull.dot(&(covariance::given_samples(&rows.information(), &rows) * &pull));
     all > 0.0 && all - imitated > NOT_IMITATED * all
 }
 
-/// What is offered where these needs are to be met.
+/// The candidates that meet these needs.
 fn offer_for(prepared: &PreparedSearch, needs: &[Need], load_kg: Option<f64>) -> CandidatePoses {
     let session = prepared.problem.session;
     let mut targets = session.targets.clone();
@@ -109,7 +109,8 @@ fn small(field: &Field, model: &Model, effect: &'static Effect, joint: usize) ->
     let q = &field.inputs.q[joint];
     let low = q.iter().copied().fold(f64::INFINITY, f64::min);
     let high = q.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let mut term = standing(effect, joint, 1, &[0.03 * (high - low)], 0.0).swap_remove(0);
+    let mut term =
+        at_representative_settings(effect, joint, 1, &[0.03 * (high - low)], 0.0).swap_remove(0);
     let absent = model.with_term(term.clone());
     let first = absent
         .columns()
@@ -128,7 +129,7 @@ fn small(field: &Field, model: &Model, effect: &'static Effect, joint: usize) ->
 }
 
 /// Poses that a diagnosis proposes at most where nothing is ambiguous.
-const MOST_BESIDE: usize = 12;
+const MOST_IN_ADDITION: usize = 12;
 
 /// What a diagnosis proposes where nothing is ambiguous: poses for what the session recorded but
 /// never changed, and for the side of approach, which costs nothing. No new equipment.
@@ -140,16 +141,15 @@ pub(crate) fn worth_enabling(
     let samples = &prepared.problem.session.samples;
     let cheap = |need: &Need| match need {
         Need::BothSides | Need::Travel => true,
-        Need::Speeds | Need::Loads | Need::Temperatures => is_said(*need, samples),
+        Need::Speeds | Need::Loads | Need::Temperatures => is_stated(*need, samples),
         _ => false,
     };
     let mut untestable = untestable(prepared, not_testable);
     untestable.retain(|l| l.needs.iter().all(cheap));
-    enable(prepared, fit, &untestable, None, MOST_BESIDE, false)
+    enable(prepared, fit, &untestable, None, MOST_IN_ADDITION, false)
 }
 
-/// What remains of the session's information where it does not say under which condition it was
-/// measured.
+/// The remaining share of the session's information where it does not state the condition under which it was measured.
 const WEAK: f64 = 0.02;
 
 /// At most `most` poses that make testable what poses can make testable. Where `reflector` is false nothing has
@@ -196,7 +196,7 @@ pub(crate) fn enable(
         .into_iter()
         .flat_map(|k| offer.poses(prepared, k, &why(k)));
     let mut all: Vec<NextPose> = poses.take(most).collect();
-    // Beside warm poses cold ones are asked for as such.
+    // Where there are warm poses, cold ones are asked for as such.
     if all.iter().any(|p| p.temperature_c.is_some()) {
         for pose in &mut all {
             pose.temperature_c = pose.temperature_c.or(Some(REFERENCE_TEMPERATURE_C));
@@ -214,7 +214,7 @@ fn needs_of(wanted: &[&Untestable], matters: impl Fn(&Need) -> bool) -> Vec<Need
     needs
 }
 
-/// Each effect against the model and what is enabled with it, which has to be told apart as well.
+/// Each effect against the model and the effects that are enabled with it, which have to be distinguished as well.
 fn comparisons(
     prepared: &PreparedSearch,
     candidates: &CandidatePoses,
@@ -233,8 +233,8 @@ fn comparisons(
         let rival = others.fold(model.clone(), |model, t| {
             model.with_term(Term::absent(t.effect, t.joint, t.setting))
         });
-        let unsaid = one.needs.iter().any(|need| !is_said(*need, samples));
-        let weight = if unsaid { WEAK } else { 1.0 };
+        let unstated = one.needs.iter().any(|need| !is_stated(*need, samples));
+        let weight = if unstated { WEAK } else { 1.0 };
         // The effect was there already; the samples so far could not show it.
         let truth = model.with_term(term.clone());
         Comparison::from_the_start(
@@ -247,8 +247,8 @@ fn comparisons(
     wanted.iter().zip(&terms).map(against_others).collect()
 }
 
-/// Whether a session says under which condition it was measured.
-fn is_said(need: Need, samples: &Samples) -> bool {
+/// Whether a session states the condition under which it was measured.
+fn is_stated(need: Need, samples: &Samples) -> bool {
     match need {
         Need::BothSides => samples.dir.iter().any(Option::is_some),
         Need::Speeds => samples.speed.iter().any(Option::is_some),

@@ -8,10 +8,10 @@ use super::imagined::unmeasured;
 use super::needs::all_met;
 use super::reflectors::reflectors;
 
-/// Settings of gear orders that stand for all of them.
+/// Representative orders of gears.
 const ORDERS: [f64; 5] = [3.0, 4.0, 5.0, 7.0, 12.0];
 
-/// A model with every effect that this robot can show, absent, at settings that stand for all.
+/// A model with every effect that this robot can show, absent, at representative settings.
 pub(crate) fn every_effect(robot: &Robot, ranges: &[Range], middle_s: f64) -> Model {
     let survey = ideal_survey(robot, ranges);
     let mut terms = Vec::new();
@@ -30,7 +30,9 @@ pub(crate) fn every_effect(robot: &Robot, ranges: &[Range], middle_s: f64) -> Mo
                 }
                 _ => {
                     let orders = if several { 1 } else { u16::MAX };
-                    terms.extend(standing(effect, joint, orders, &fades, middle_s));
+                    terms.extend(at_representative_settings(
+                        effect, joint, orders, &fades, middle_s,
+                    ));
                 }
             }
         }
@@ -38,8 +40,8 @@ pub(crate) fn every_effect(robot: &Robot, ranges: &[Range], middle_s: f64) -> Mo
     Model::new(robot.clone(), terms)
 }
 
-/// An effect, absent, at settings that stand for all: orders up to one (its lowest at least), fades, a time.
-pub(crate) fn standing(
+/// An effect, absent, at representative settings: orders up to one (its lowest at least), fades, a time.
+pub(crate) fn at_representative_settings(
     effect: &'static Effect,
     joint: usize,
     orders: u16,

@@ -1,9 +1,9 @@
-//! The loop: of candidates those that are worth most to a criterion.
+//! The loop that chooses candidates by a criterion.
 //!
-//! [`choose`] takes candidate after candidate, each time the one that is worth most: to models that are to be
-//! told apart ([`super::model_separation`], T-optimality), or to what is known of parameters
-//! ([`super::information`], D-optimality). [`exchange`] then gives one after the other back and takes the best
-//! in its place until none is better (Fedorov 1972; Cook & Nachtsheim 1980).
+//! [`choose`] takes candidate after candidate, each time the one with the largest gain: in the separation of models
+//! ([`super::model_separation`], T-optimality), or in the information on parameters ([`super::information`],
+//! D-optimality). [`exchange`] then gives one after the other back and takes the best in its place until none is
+//! better (Fedorov 1972; Cook & Nachtsheim 1980).
 
 use super::information::Information;
 use crate::rounding;
@@ -67,7 +67,7 @@ pub(crate) fn exchange(information: &mut Information, order: &mut [usize], round
             }
             information.update(*place, 1.0);
         }
-        // What was updated so often is worked out anew.
+        // What was updated so often is computed afresh, against rounding.
         information.refresh();
         if !changed {
             break;
@@ -122,7 +122,7 @@ mod tests {
         let mut order = choose(&mut information, 6);
         let greedy = information.covariance.determinant();
         exchange(&mut information, &mut order, 50);
-        // What is known is what the places that are taken tell, each once.
+        // The information is that of the places that are taken, each once.
         let mut whole = DMatrix::identity(5, 5) / 100.0;
         for place in &order {
             whole += all.rows(2 * place, 2).transpose() * all.rows(2 * place, 2);

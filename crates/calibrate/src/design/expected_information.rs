@@ -1,9 +1,9 @@
-//! What a measurement will be able to tell, before anybody has measured: the session is imagined
-//! with the nominal robot and the instrument's noise, and asked what could be seen in it.
+//! The expected information of a measurement, before anybody has measured: the session is imagined with the nominal
+//! robot and the instrument's noise, and analysed.
 //!
-//! Detection limits are those of a diagnosis (`limits`). Two effects look alike
-//! where their columns, without what the base model explains, have a canonical correlation r near
-//! one: the part √(1 − r²) of an effect is all that tells it from the other.
+//! Detection limits are those of a diagnosis (`limits`). Two effects look alike where their columns, projected
+//! orthogonal to the base model, have a canonical correlation r near one: only the part √(1 − r²) of an effect
+//! distinguishes it from the other.
 
 use nalgebra::DMatrix;
 
@@ -38,22 +38,22 @@ pub struct Alike {
     pub one: (&'static str, Option<usize>),
     /// The other.
     pub other: (&'static str, Option<usize>),
-    /// Largest canonical correlation beside the base model.
+    /// Largest canonical correlation given the base model.
     pub correlation: f64,
 }
 
-/// What planned poses are expected to tell apart, computed on an imagined measurement of them.
+/// What planned poses are expected to determine, computed on an imagined measurement of them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ExpectedInformation {
     /// What will be seen above which size, with a chance of 95 %.
     pub limits: Vec<Limit>,
     /// What will not be seen.
     pub not_testable: Vec<NotTestable>,
-    /// What will be hard to tell apart, the most alike first.
+    /// Effects that will be hard to distinguish, the most alike first.
     pub alike: Vec<Alike>,
 }
 
-/// What an imagined session with this noise could tell.
+/// The information of an imagined session with this noise.
 pub(crate) fn expected(
     session: &Session,
     sigma_mm: f64,
@@ -80,18 +80,18 @@ pub(crate) fn expected(
 
 /// Pairs of names that look alike at some of their settings.
 fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
-    let around = regression.surroundings(fit, CandidateSubset::Names);
-    // Columns of each name at each setting, orthonormal, beside the base.
+    let around = regression.projections(fit, CandidateSubset::Names);
+    // Columns of each name at each setting, orthonormal, projected orthogonal to the base.
     let spans = regression.table.candidates.iter().filter_map(|candidate| {
         let term = candidate.what.term()?;
         let setting = term.effect.about().setting;
         let high_order = setting.takes_fractions() && term.setting > HIGHEST_ORDER;
         let whole = around.factor(candidate).1 == candidate.size;
-        let columns = || regression.columns_beside(&around, candidate);
+        let columns = || regression.projected_columns(&around, candidate);
         (whole && !high_order).then(|| (term, Basis::new(&columns()).q))
     });
     let mut spans: Vec<(&Term, DMatrix<f64>)> = spans.collect();
-    // Of the many times of a step a few stand for all.
+    // Of the many times of a step a few are representative.
     let times = |own: &(&Term, _)| own.0.effect.about().setting == Setting::Time;
     let steps = spans.iter().filter(|own| times(own)).count();
     let (mut count, stride) = (0, steps.div_ceil(MOST_STEPS).max(1));
@@ -128,7 +128,7 @@ fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
 }
 
 fn largest_singular_value(cross: &DMatrix<f64>) -> f64 {
-    // Where there are none, nothing tells the two apart.
+    // Where there are none, nothing distinguishes the two.
     let svd = crate::decompose::svd(cross.clone());
     let largest = svd.map(|svd| svd.singular_values.iter().copied().fold(0.0, f64::max));
     largest.map_or(1.0, |largest| largest.min(1.0))

@@ -1,4 +1,4 @@
-//! Where models are compared: on the samples so far and on candidates beside them.
+//! The samples and the candidates on which models are compared.
 
 use nalgebra::DMatrix;
 

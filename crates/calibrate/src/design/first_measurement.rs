@@ -1,4 +1,4 @@
-//! A first measurement of a robot with one joint: what a technician should do before anything is known.
+//! A first measurement of a robot with one joint, before anything is known.
 //!
 //! The conditions follow a schedule, so that nothing changes together with something else: loads
 //! in the order 0 L L 0 0 L L 0 (a drift in time cancels), the machine cold, warming up, warm and
@@ -12,8 +12,8 @@
 //! worth = det(1 + J C Jᵀ) (1 − exp(−(2 n d)²))
 //! ```
 //!
-//! with d the distance to the nearest of n − 1 earlier poses as a share of the travel: places that lie
-//! together hide what is local.
+//! with d the distance to the nearest of n − 1 earlier poses as a share of the travel: places that lie together do not
+//! show local effects.
 
 use nalgebra::{DMatrix, DVector};
 use rand::seq::SliceRandom;
@@ -69,7 +69,7 @@ pub(crate) struct Request<'r> {
     pub(crate) measured: Option<(&'r Inputs<'r>, &'r [usize])>,
 }
 
-/// The poses in measuring order, beside what is known.
+/// The poses in measuring order, given what is known.
 pub(crate) fn design(request: &Request) -> Vec<NextPose> {
     let mut slots = Slots::new(request);
     choose(&mut slots, request.poses);
@@ -152,7 +152,7 @@ impl Request<'_> {
     }
 }
 
-/// The schedule, slot by slot: each has candidates of its own.
+/// The schedule, slot by slot: each has separate candidates.
 struct Slots<'r> {
     request: &'r Request<'r>,
     /// Circumstances of every slot, without places and sides.

@@ -1,5 +1,5 @@
-//! What is to be expected of a measurement: the error of the model over the joint ranges, and how well
-//! the poses show its parameters.
+//! The forecast of a measurement: the expected error of the model over the joint ranges, and how well the poses
+//! determine its parameters.
 //!
 //! ```text
 //! error(q) = √ tr J(q) C J(q)ᵀ,   index = (∏ σ_i)^(1/L) / √n
@@ -28,7 +28,7 @@ pub struct ExpectedError {
     pub p95_mm: f64,
 }
 
-/// What is to be expected of poses.
+/// The forecast of poses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Forecast {
     /// The error.
@@ -102,10 +102,10 @@ impl Workspace {
     }
 
     pub(crate) fn error(&self, covariance: &DMatrix<f64>) -> ExpectedError {
-        let carried = covariance * &self.rows.columns;
+        let products = covariance * &self.rows.columns;
         let of = |pose: usize| {
             let (first, size) = self.rows.place(pose);
-            let trace = self.rows.of(pose).dot(&carried.columns(first, size));
+            let trace = self.rows.of(pose).dot(&products.columns(first, size));
             trace.max(0.0).sqrt()
         };
         let mut all: Vec<f64> = (0..self.rows.len()).map(of).collect();

@@ -1,4 +1,4 @@
-//! How many poses show the geometry of a robot with several joints how well.
+//! How well a number of poses determines the geometry of a robot with several joints.
 
 use super::arm::Arm;
 use super::candidate::Candidate;
@@ -6,7 +6,7 @@ use super::candidate_set::CandidateSet;
 use super::forecast::{ExpectedError, Forecast};
 use super::plan_options::{MOST, PlanError};
 
-/// The expected error is told for so many poses.
+/// The expected error is stated for so many poses.
 const CURVE: [usize; 4] = [20, 30, 50, 100];
 /// Sets of random poses that a robot's plan is compared with.
 const RANDOM_SETS: usize = 20;

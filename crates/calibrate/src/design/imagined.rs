@@ -107,7 +107,7 @@ pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like:
     let samples = &mut all.samples;
     let rows: Vec<_> = (0..n).map(Some).chain(like.iter().copied()).collect();
     samples.select(&rows);
-    // What a sensor would show is not known, and nothing is mounted anew.
+    // The reading of a sensor is not known, and nothing is mounted anew.
     for column in samples.torque_nm.iter_mut().flatten() {
         column[n..].fill(f64::NAN);
     }
@@ -119,7 +119,7 @@ pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like:
     for marks in marks.into_iter().flatten() {
         marks[n..].fill(false);
     }
-    // What a pose leaves open is as it was last.
+    // What a pose does not state is as it was last.
     let fill =
         |column: &mut Option<Vec<f64>>, usual: f64, value: &dyn Fn(&NextPose) -> Option<f64>| {
             if column.is_none() && poses.iter().all(|p| value(p).is_none()) {
@@ -232,17 +232,14 @@ pub(crate) fn with_noise(mut session: Session, sigma_mm: f64, seed: u64) -> Sess
     session
 }
 
-/// What every sample that is there to be fitted shows of some coefficients of a model, and the information of
-/// what is known beside the samples.
+/// The information of every sample to be fitted on some coefficients of a model, and that of the priors.
 pub(crate) fn shown(
     session: &Session,
     model: &Model,
     coefficients: &[usize],
 ) -> (Rows, DMatrix<f64>) {
     let layer = Layer::at(session, &Inputs::new(session, JointValues::Commanded));
-    let (rows, beside) = Rows::of_layer(&layer, model, [layer.unit_mm; 3]);
-    let beside = beside
-        .select_rows(coefficients)
-        .select_columns(coefficients);
-    (rows.only(coefficients), beside)
+    let (rows, prior) = Rows::of_layer(&layer, model, [layer.unit_mm; 3]);
+    let prior = prior.select_rows(coefficients).select_columns(coefficients);
+    (rows.only(coefficients), prior)
 }

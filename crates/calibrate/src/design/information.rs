@@ -1,11 +1,11 @@
-//! What is known of the parameters of a model, and what candidates would add to it (D-optimality):
+//! The information on the parameters of a model, and what candidates would add to it (D-optimality):
 //!
 //! ```text
 //! gain = ln det(1 + J C Jᵀ),   C ← C − C Jᵀ (1 + J C Jᵀ)⁻¹ J C
 //! ```
 //!
-//! with J the rows of a candidate in units of the noise and C the covariance so far. Taking a candidate in or
-//! out changes C and all J C Jᵀ by as many ranks as it has rows, and nothing is inverted anew.
+//! with J the rows of a candidate in units of the noise and C the covariance so far. Taking a candidate in or out
+//! changes C and all J C Jᵀ by an update of as many ranks as it has rows, without a new inversion.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use super::rows::Rows;
 use crate::budget;
 use crate::linear::cross;
 
-/// What is known of parameters, and what each candidate would add to it. A candidate is taken once.
+/// The covariance of parameters, and what each candidate would add to the information. A candidate is taken once.
 #[derive(Clone)]
 pub(crate) struct Information {
     pub(crate) rows: Arc<Rows>,
@@ -29,14 +29,14 @@ pub(crate) struct Information {
 pub(crate) struct Update {
     /// L.
     pub(crate) root: DMatrix<f64>,
-    /// `L⁻¹ J C`: how the parameters move with what is new in each row.
+    /// `L⁻¹ J C`: the change of the parameters by the innovation of each row.
     pub(crate) gain: DMatrix<f64>,
     /// The same in the rows of all candidates, in rows.
     pub(crate) moved: DMatrix<f64>,
 }
 
 impl Information {
-    /// Candidates beside what is known.
+    /// Candidates given what is known.
     pub(crate) fn new(rows: impl Into<Arc<Rows>>, covariance: DMatrix<f64>) -> Self {
         let rows = rows.into();
         let most = (0..rows.len()).map(|k| rows.place(k).1).max().unwrap_or(0);
@@ -59,10 +59,10 @@ impl Information {
             let more = first[from..].partition_point(|f| f - first[from] <= budget::AT_ONCE);
             let to = (from + more - 1).max(from + 1);
             let start = first[from];
-            let carried = &self.covariance * columns.columns(start, first[to] - start);
+            let products = &self.covariance * columns.columns(start, first[to] - start);
             for pair in first[from..=to].windows(2) {
                 let size = pair[1] - pair[0];
-                let own = carried.columns(pair[0] - start, size);
+                let own = products.columns(pair[0] - start, size);
                 let mut to = self.spread.view_mut((pair[0], 0), (size, size));
                 to.copy_from(&own.tr_mul(&columns.columns(pair[0], size)));
             }

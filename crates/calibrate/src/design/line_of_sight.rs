@@ -1,11 +1,10 @@
 //! Whether an instrument sees a target in a pose.
 //!
-//! The rule is simple on purpose, as the robot's shape is not known: the robot is taken for straight
-//! rods between points of its joint axes. A target is in the shadow where the line of sight passes one
-//! of the rods nearer than [`THICK_MM`]; the last [`AT_TARGET_MM`] before the target do not count, nor does
-//! the rod that carries the tool. With a cone the line of sight has to come from within that angle
-//! about the direction in which the target faces: away from the tool's origin, and along the tool's z
-//! where the target is at the origin.
+//! The rule is simple on purpose, as the robot's shape is not known: the robot is taken for straight rods between
+//! points of its joint axes. A target is in the shadow where the line of sight passes one of the rods nearer than
+//! [`THICK_MM`]; the last [`AT_TARGET_MM`] before the target do not count, nor does the rod to which the tool is
+//! mounted. With a cone the line of sight has to come from within that angle about the direction in which the target
+//! faces: away from the tool's origin, and along the tool's z where the target is at the origin.
 
 use nalgebra::{Point3, Vector3};
 
@@ -25,7 +24,7 @@ struct SightPose {
     faces: Vector3<f64>,
 }
 
-/// Which poses are seen from an instrument; `from` is where it stands, in the measuring frame, mm.
+/// Which poses are visible from an instrument at `from`, in the measuring frame, mm.
 pub(crate) fn seen(
     session: &Session,
     model: &Model,

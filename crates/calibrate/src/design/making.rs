@@ -1,17 +1,17 @@
-//! How a plan is made.
+//! The steps by which a plan is made.
 //!
 //! 1. Rivals of the diagnosis first (`next_poses`), or the two effects that the user names
 //!    (`pair_separation`).
 //! 2. Of a single joint then what is not testable (`enabling_poses`): which condition is missing, and
 //!    poses under that condition; and where more poses are asked for those that lower the detection
 //!    limits of every effect of the catalogue (`first_measurement`).
-//! 3. Of several joints poses that show the geometry best (`geometry`), whatever is measured, under
-//!    conditions that tell the effects (`conditions`).
+//! 3. Of several joints poses that determine the geometry best (`geometry`), whatever is measured, under
+//!    conditions that determine the effects (`conditions`).
 //!
-//! What the plan claims is checked on the session as it would be with the poses measured
-//! (`expected_information`): an effect counts as enabled only if nothing stands against it there.
+//! The claims of the plan are checked on the session as it would be with the poses measured (`expected_information`):
+//! an effect counts as enabled only if it is testable there.
 
-use super::plan_options::{POSES_BESIDE, POSES_OF_AN_ARM, PROPOSED};
+use super::plan_options::{POSES_IN_ADDITION, POSES_OF_AN_ARM, PROPOSED};
 use crate::answers::pose::to_raw;
 use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
@@ -41,12 +41,12 @@ use super::plan_options::{PlanError, PlanOptions};
 use super::reflectors::reflectors;
 use super::{enabling_poses, next_poses};
 
-/// Poses of a first measurement of a single joint, where no number is given; of several joints, and
-/// beside a session of them.
+/// Poses of a first measurement of a single joint, where no number is given; of several joints, and in addition to a
+/// session of them.
 const POSES_PER_JOINT: usize = 10;
 
-/// A plan for a session: it is diagnosed, and what that leaves open is planned for. Where it has
-/// other measurements than points it is planned for its geometry.
+/// A plan for a session: it is diagnosed, and poses for its open questions are planned. Where it has other
+/// measurements than points it is planned for its geometry.
 ///
 /// # Errors
 /// If an option makes no sense, if there is no sample to fit, or if the watcher stops it.
@@ -159,15 +159,15 @@ fn add_what_is_untestable(
     plan.poses.extend(sharper);
 }
 
-/// Poses beside a session that show the geometry best.
+/// Poses in addition to a session that determine the geometry best.
 fn add_geometry(
     plan: &mut Plan,
     session: &Session,
     options: &PlanOptions,
 ) -> Result<(), PlanError> {
     let room = options.poses.map(|n| n - plan.poses.len());
-    let arm = Arm::of_session(session, options)?.beside_planned(&plan.poses);
-    let wanted = room.unwrap_or(POSES_BESIDE);
+    let arm = Arm::of_session(session, options)?.with_planned(&plan.poses);
+    let wanted = room.unwrap_or(POSES_IN_ADDITION);
     let (poses, geometry) = geometry::best(&arm, wanted, options.accuracy_mm)?;
     plan.poses.extend(conditioned(&arm, &poses));
     plan.geometry = Some(geometry);

@@ -77,10 +77,10 @@ impl MeasuringMethod {
                 attitude: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
                 place: &at,
             };
-            let left = KINDS[kind].residual(session, self.like.unwrap_or(0), &seen);
+            let residual = KINDS[kind].residual(session, self.like.unwrap_or(0), &seen);
             (
-                left.left[..left.rows].to_vec(),
-                left.by_point[..left.rows].to_vec(),
+                residual.left[..residual.rows].to_vec(),
+                residual.by_point[..residual.rows].to_vec(),
             )
         });
         let q: Vec<f64> = own.q.iter().map(|q| q[0]).collect();
@@ -95,8 +95,7 @@ pub(crate) fn last_setup(session: &Session) -> Option<f64> {
     setups.index.last().map(|last| f64::from(*last))
 }
 
-/// The different ways in which the samples were measured; `from` is where the instrument stands that is no
-/// station.
+/// The different ways in which the samples were measured; `from` is the place of an instrument that is no station.
 pub(crate) fn ways(session: &Session, from: Option<Point3<f64>>) -> Vec<MeasuringMethod> {
     let mut known: Vec<(MeasuredKinds, u32)> = Vec::new();
     let mut ways = Vec::new();

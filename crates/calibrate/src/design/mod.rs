@@ -1,13 +1,13 @@
-//! Poses to measure next: those that tell rival explanations apart (`next_poses`), or two effects
+//! Poses to measure next: those that distinguish rival explanations (`next_poses`), or two effects
 //! (`pair_separation`), those that make an effect testable (`enabling_poses`), a first measurement of a joint
-//! (`first_measurement`), those that show the geometry of an arm (`geometry`), and all of them
-//! (`plan`, `making`). All are made in one way:
+//! (`first_measurement`), those that determine the geometry of an arm (`geometry`), and all of them (`plan`,
+//! `making`). All are made in one way:
 //!
-//! 1. **Candidates**: a place and the conditions there (`candidate`), in all combinations beside a session
+//! 1. **Candidates**: a place and the conditions there (`candidate`), in all combinations for a session
 //!    (`candidate_poses`), slot by slot of a schedule (`first_measurement`), over the joint ranges in every way of
 //!    measuring (`arm`), the same under loads, warmth and from other sides (`conditions`).
 //! 2. **Rows** `J = ∂y/∂β / σ`, `d = (y′ − y)/σ` of every candidate (`rows`), of points or of what an imagined session
-//!    would have measured (`imagined`); the covariance C of what is known beside them (`covariance`).
+//!    would have measured (`imagined`); the covariance C of what is known already (`covariance`).
 //! 3. **A criterion**: D-optimality `ln det(1 + J C Jᵀ)` (`information`), or T-optimality (Atkinson & Fedorov 1975),
 //!    `Δ = min_β ‖d − J β‖² + βᵀ C⁻¹ β`, how far a refitted rival stays from each truth (`comparison`, all pairs at
 //!    once in `model_separation`), until the right one is found often enough (`decision`).
@@ -15,7 +15,7 @@
 //!    (`candidate_set`).
 //! 5. **An order**: of arms a short way through the poses of a stretch (`path`).
 //!
-//! Then it is computed what the poses will show: detection limits and names that look alike
+//! Then the expected information of the poses is computed: detection limits and names that look alike
 //! (`expected_information`), of an arm the expected error and the observability index (`forecast`).
 
 #![allow(

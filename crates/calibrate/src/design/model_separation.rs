@@ -18,11 +18,11 @@ use super::reflectors::other_reflectors;
 const MOST_SEPARATION: f64 = 1e6;
 /// All models are asked to be so much further apart where too few draws are decided.
 const FURTHER: f64 = 1.3;
-/// Another reflector has to bring so much more, as a share of what is needed.
+/// Another reflector has to gain so much more, as a share of what is needed.
 const WORTH_MOUNTING: f64 = 0.03;
 
-/// Models that are to be told apart: as far as each comparison asks for, and where there is a decision until
-/// the right one is found often enough. No candidate is taken more than `repeats` times.
+/// Models that have to be distinguished: as far as each comparison asks for, and where there is a decision until the
+/// right one is found often enough. No candidate is taken more than `repeats` times.
 pub(crate) struct ModelSeparation {
     pub(crate) comparisons: Vec<Comparison>,
     pub(crate) decision: Option<Decision>,
@@ -98,7 +98,7 @@ pub(crate) struct Attempt {
     /// Pairs of models that none of the candidates part.
     pub(crate) unparted: usize,
     pub(crate) decides: bool,
-    /// How much of what is needed they bring.
+    /// The share of what is needed that they gain.
     pub(crate) score: f64,
 }
 

@@ -1,11 +1,11 @@
-//! What an effect lacks before a session can show it: the effect is asked again with one condition
-//! after the other met, until nothing stands against it.
+//! The needs of an effect before a session can show it: its obstacles are asked for with one condition after the other
+//! met, until there are none.
 
 use super::candidate::usual_speed;
 use crate::effects::{Effect, Survey};
 use crate::text::{Template, Text};
 
-/// Load for a test where the session says nothing about loads, kg.
+/// Load for a test where the session does not state loads, kg.
 const TEST_LOAD_KG: f64 = 3.0;
 /// A load for a test: as asked for, else the heaviest of the session, where it has any.
 pub(crate) fn test_load_kg(asked: Option<f64>, heaviest: f64) -> f64 {

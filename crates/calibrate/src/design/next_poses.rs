@@ -1,5 +1,5 @@
-//! Poses that decide between explanations that the samples cannot tell apart: T-optimality,
-//! greedily, over everything that may be measured.
+//! Poses that decide between explanations that the samples cannot distinguish: T-optimality, greedily, over all
+//! candidates.
 //!
 //! Each pair of explanations meets in two comparisons, for either may be the true one. Poses are
 //! added until they decide all comparisons at once in `SURE` of all sessions, whichever explanation
@@ -32,7 +32,7 @@ const MOST_COMPETING: usize = 14;
 /// One condition is proposed at most so often.
 const REPEATS: u8 = 2;
 
-/// Poses that tell the fit from its rivals, at most `most`.
+/// Poses that distinguish the fit from its rivals, at most `most`.
 pub(crate) fn separate(
     prepared: &PreparedSearch,
     fit: &Fit,
@@ -180,7 +180,7 @@ fn attempt(
     }
 }
 
-/// What would tell a rival from the model, in words.
+/// What would distinguish a rival from the model, in words.
 pub(crate) fn separate_by(rival: &Rival, poses: &[NextPose]) -> Text {
     let mut words = rival
         .removed

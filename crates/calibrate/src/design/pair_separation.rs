@@ -1,9 +1,9 @@
-//! Poses on which two named effects differ most, whichever of them is there: each in turn is put
-//! into the model in the shape that the other imitates best, at the size at which it would just
-//! be seen, and the other is refitted to it.
+//! Poses on which two named effects differ most, whichever of them is present: each in turn is put into the model in
+//! the shape that the other imitates best, at the size at which it would just be detected, and the other is refitted
+//! to it.
 //!
 //! ```text
-//! minimise aᵀ R a over aᵀ T a = λ,   T beside the model, R beside the model and the other effect
+//! minimise aᵀ R a over aᵀ T a = λ,   T given the model, R given the model and the other effect
 //! ```
 
 use super::plan_options::POSES_OF_AN_ARM;
@@ -22,7 +22,7 @@ use super::candidate::ranges;
 use super::candidate_poses::CandidatePoses;
 use super::comparison::{Comparison, ModelDistance, enough_for};
 use super::covariance::inverse;
-use super::every_effect::standing;
+use super::every_effect::at_representative_settings;
 use super::exchange::choose;
 use super::field::Field;
 use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
@@ -34,7 +34,7 @@ use super::rows::Rows;
 /// λ of an effect that is just seen.
 const JUST_SEEN: f64 = 40.0;
 
-/// Poses that tell two effects apart.
+/// Poses that distinguish two effects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Separation {
     /// The two.
@@ -43,7 +43,7 @@ pub struct Separation {
     pub left_before: [f64; 2],
     /// The same with the poses measured too, 0 to 1.
     pub left_after: [f64; 2],
-    /// Whether both are told apart at the size at which they would just be seen.
+    /// Whether both are distinguished at the size at which they would just be detected.
     pub decided: bool,
     /// Why no pose does it; `None` where poses do.
     pub impossible: Option<Text>,
@@ -92,7 +92,7 @@ pub(crate) fn separate_two(
         let offer = CandidatePoses::new(prepared, targets, &conditions);
         attempt(prepared, offer, &base, &terms, most)
     });
-    let left_before = shares.left[0];
+    let left_before = shares.remaining[0];
     if shares.possible < COPY {
         let because = text!(
             "wherever they are measured, with a second reflector too, each looks like the other"
@@ -110,7 +110,7 @@ pub(crate) fn separate_two(
     Separation {
         between,
         left_before,
-        left_after: shares.left[1],
+        left_after: shares.remaining[1],
         decided: best.decides,
         impossible: None,
         poses: best.poses(prepared, &why, most),
@@ -127,7 +127,7 @@ struct Shares {
     /// Of the worse of the two over everything that is offered.
     possible: f64,
     /// Before and after.
-    left: [[f64; 2]; 2],
+    remaining: [[f64; 2]; 2],
 }
 
 fn attempt(
@@ -140,7 +140,7 @@ fn attempt(
     let field = Field::new(prepared, &candidates);
     let mut shares = Shares {
         possible: 1.0,
-        left: [[1.0; 2]; 2],
+        remaining: [[1.0; 2]; 2],
     };
     let (mut comparisons, mut pairs) = (Vec::new(), Vec::new());
     for k in 0..2 {
@@ -155,7 +155,7 @@ fn attempt(
         if let Some(pair) = hardest {
             shares.possible = shares.possible.min(pair.possible);
             let (before, comparison) = pair.comparison(&field, base);
-            shares.left[0][k] = before;
+            shares.remaining[0][k] = before;
             comparisons.push(comparison);
             pairs.push((k, pair));
         }
@@ -165,7 +165,7 @@ fn attempt(
     for (k, pair) in &pairs {
         let mut all = pair.known.clone();
         pair.rows.add_to(&mut all, order.iter().copied());
-        shares.left[1][*k] = pair.worst(&all).0;
+        shares.remaining[1][*k] = pair.worst(&all).0;
     }
     let least = parting.distances().map(ModelDistance::share);
     let attempt = Attempt {
@@ -178,7 +178,7 @@ fn attempt(
     (attempt, shares)
 }
 
-/// Settings that stand for an effect: its own where the model has it.
+/// Representative settings of an effect: its own where the model has it.
 fn terms_of(prepared: &PreparedSearch, fit: &Fit, named: Named) -> Vec<Term> {
     let Some(effect) = find(named.id) else {
         return Vec::new();
@@ -195,7 +195,7 @@ fn terms_of(prepared: &PreparedSearch, fit: &Fit, named: Named) -> Vec<Term> {
     let times = inputs.time_s.as_deref().unwrap_or(&[]);
     let middle_s = 0.5 * times.iter().copied().fold(0.0, f64::max);
     let fades = [0.03 * (range.to - range.from)];
-    standing(effect, named.joint, 6, &fades, middle_s)
+    at_representative_settings(effect, named.joint, 6, &fades, middle_s)
 }
 
 /// A base model with both effects, absent, where their columns are, and what samples and candidates show of them.
@@ -203,13 +203,13 @@ struct Pair {
     terms: [Term; 2],
     own: Vec<usize>,
     rest: Vec<usize>,
-    /// The rest and the other effect.
-    beside: Vec<usize>,
+    /// The other terms and the other effect.
+    given: Vec<usize>,
     rows: Rows,
     /// The information of the samples, and of all candidates.
     known: DMatrix<f64>,
     everywhere: DMatrix<f64>,
-    /// Share of the one that is left beside the other with all candidates.
+    /// Share of the one's information that remains given the other with all candidates.
     possible: f64,
 }
 
@@ -226,7 +226,7 @@ impl Pair {
         let rows = field.rows(base, &both);
         let mut pair = Self {
             own: of(&|t| t.same_column(one)),
-            beside: rest.iter().chain(&theirs).copied().collect(),
+            given: rest.iter().chain(&theirs).copied().collect(),
             rest,
             terms: [one.clone(), other.clone()],
             known: field.gram(&both),
@@ -238,8 +238,8 @@ impl Pair {
         pair
     }
 
-    /// The share that is left in the samples, and the one there in the shape that the other imitates
-    /// best, at the size at which it is just seen, against the other.
+    /// The remaining share in the samples, and the one in the shape that the other imitates best, at the size at which
+    /// it is just detected, against the other.
     fn comparison(&self, field: &Field, base: &Model) -> (f64, Comparison) {
         let weak = &self.everywhere * (POSES_OF_AN_ARM as f64 / self.rows.len().max(1) as f64);
         let (before, mut direction) = self.worst(&self.known);
@@ -259,31 +259,31 @@ impl Pair {
         (before, comparison)
     }
 
-    /// What is left of one's information beside some of the other columns.
+    /// One's information given some of the other columns (Schur complement).
     fn reduced_information(&self, gram: &DMatrix<f64>, columns: &[usize]) -> DMatrix<f64> {
         let pick = |a: &[usize], b: &[usize]| gram.select_rows(a).select_columns(b);
-        let mut left = pick(&self.own, &self.own);
+        let mut remaining = pick(&self.own, &self.own);
         if !columns.is_empty() {
             let mut inner = pick(columns, columns);
             for k in 0..columns.len() {
                 inner[(k, k)] += 1e-12 * inner[(k, k)] + 1e-300;
             }
             let cross = pick(columns, &self.own);
-            left -= cross.tr_mul(&(inverse(&inner) * &cross));
+            remaining -= cross.tr_mul(&(inverse(&inner) * &cross));
         }
-        left
+        remaining
     }
 
-    /// Smallest share that is left of one's information beside the other, and its direction.
+    /// Smallest share of one's information that remains given the other, and its direction.
     fn worst(&self, gram: &DMatrix<f64>) -> (f64, DVector<f64>) {
         let alone = self.reduced_information(gram, &self.rest);
-        let left = self.reduced_information(gram, &self.beside);
+        let remaining = self.reduced_information(gram, &self.given);
         let k = self.own.len();
         let mean = alone.trace() / k as f64;
         if mean <= 0.0 || !mean.is_finite() {
             return (0.0, DVector::from_element(k, 1.0));
         }
-        // Directions of which nothing is left beside the base do not count against the other.
+        // Directions that are dependent on the base do not count against the other.
         let spectrum = crate::decompose::eigen(alone);
         let values = &spectrum.eigenvalues;
         let kept: Vec<usize> = (0..k)
@@ -293,7 +293,7 @@ impl Pair {
         for (mut column, i) in basis.column_iter_mut().zip(&kept) {
             column /= values[*i].sqrt();
         }
-        let shares = crate::decompose::eigen(basis.tr_mul(&(left * &basis)));
+        let shares = crate::decompose::eigen(basis.tr_mul(&(remaining * &basis)));
         let smallest = (0..kept.len()).min_by(|a, b| {
             let [a, b] = [*a, *b].map(|k| shares.eigenvalues[k]);
             a.total_cmp(&b)

@@ -17,12 +17,13 @@ pub(crate) fn seconds(robot: &Robot, from: &[f64], to: &[f64]) -> f64 {
 pub(crate) fn short(robot: &Robot, poses: &[&[f64]], start: &[f64]) -> Vec<usize> {
     let at = |k: usize| poses[k];
     let mut order: Vec<usize> = Vec::with_capacity(poses.len());
-    let mut left: Vec<usize> = (0..poses.len()).collect();
-    while !left.is_empty() {
+    let mut remaining: Vec<usize> = (0..poses.len()).collect();
+    while !remaining.is_empty() {
         let here = order.last().map_or(start, |k| at(*k));
         let time = |k: usize| seconds(robot, here, at(k));
-        let nearest = (0..left.len()).min_by(|a, b| time(left[*a]).total_cmp(&time(left[*b])));
-        order.push(left.remove(nearest.unwrap_or(0)));
+        let nearest =
+            (0..remaining.len()).min_by(|a, b| time(remaining[*a]).total_cmp(&time(remaining[*b])));
+        order.push(remaining.remove(nearest.unwrap_or(0)));
     }
     // The way between two that follow one another; from the start, and nothing behind the end.
     let way = |order: &[usize], a: Option<usize>, b: usize| {

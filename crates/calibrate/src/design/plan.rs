@@ -1,6 +1,6 @@
-//! What to measure: for a session the poses that decide what it leaves open, that make testable
-//! what it cannot show, and that sharpen the rest; for a robot alone a first measurement. This is what
-//! is asked and what is answered; `making` makes it.
+//! What to measure: for a session the poses that answer its open questions, that make testable what it cannot show,
+//! and that reduce the other uncertainties; for a robot alone a first measurement. These are the request and the
+//! answer; `making` makes it.
 
 use super::expected_information::ExpectedInformation;
 use super::geometry::Geometry;
@@ -35,17 +35,17 @@ pub struct Plan {
     pub targets: Vec<Target>,
     /// The poses in measuring order.
     pub poses: Vec<NextPose>,
-    /// Explanations that the samples cannot tell apart: the names that stand, and those that could.
+    /// Explanations that the samples cannot distinguish: the names of the model, and the possible ones.
     pub open: Vec<[Vec<String>; 2]>,
     /// The two effects that were asked for.
     pub separation: Option<Separation>,
     /// What the poses make testable.
     pub enables: Vec<Untestable>,
-    /// What stays untestable; `needs` says what would help beside poses, if anything does.
+    /// What remains untestable; `needs` states what would help besides poses, if anything does.
     pub cannot: Vec<Untestable>,
     /// Noise that the detection limits are for, mm.
     pub sigma_mm: f64,
-    /// What can be told once the poses are measured.
+    /// The expected information once the poses are measured.
     pub expected: ExpectedInformation,
     /// What the poses do for the geometry of a robot with several joints.
     pub geometry: Option<Geometry>,

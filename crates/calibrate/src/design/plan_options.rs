@@ -1,4 +1,4 @@
-//! What is asked of a plan, and why there is none.
+//! The options of a plan, and why there is none.
 
 use nalgebra::Point3;
 use std::f64::consts::PI;
@@ -12,11 +12,11 @@ use crate::units::{LARGEST_LENGTH_MM, LARGEST_NUMBER};
 
 use super::named::Named;
 
-/// Poses that are proposed beside a session, and ways of measuring that are tried, at most.
+/// Poses that are proposed in addition to a session, and ways of measuring that are tried, at most.
 pub(super) const PROPOSED: usize = 24;
 /// Poses that shrink the intervals of a session, where nothing else is asked.
-pub(super) const POSES_BESIDE: usize = 20;
-/// Poses of a first measurement of several joints, where no number is given, beside some for each joint.
+pub(super) const POSES_IN_ADDITION: usize = 20;
+/// Poses of a first measurement of several joints, where no number is given, besides some for each joint.
 pub(super) const POSES_OF_AN_ARM: usize = 40;
 /// Poses that a plan holds at most.
 pub(crate) const MOST_POSES: usize = 2000;
@@ -29,7 +29,7 @@ pub(crate) const MOST_JOINTS: usize = 30;
 pub struct PlanOptions {
     /// Number of poses; by default as many as are needed.
     pub poses: Option<usize>,
-    /// Two effects to tell apart, as `ID` or `ID:JOINT`.
+    /// Two effects to distinguish, as `ID` or `ID:JOINT`.
     pub separate: Option<[String; 2]>,
     /// Noise of the instrument, mm; for a session its own where it is not given.
     pub sigma_mm: Option<f64>,
@@ -38,7 +38,7 @@ pub struct PlanOptions {
     /// As many poses as bring the 95th percentile of the expected error over the joint ranges below
     /// this, mm.
     pub accuracy_mm: Option<f64>,
-    /// Where the instrument stands that measures a robot, base frame, mm.
+    /// The place of the instrument that measures a robot, base frame, mm.
     pub instrument_mm: Option<Point3<f64>>,
     /// A target is seen within this angle of where it faces, rad; by default from everywhere.
     pub cone_rad: Option<f64>,
@@ -186,7 +186,7 @@ impl PlanOptions {
         ))
     }
 
-    /// What is asked for that there is not for this robot.
+    /// A request that does not exist for this robot.
     fn not_for(&self, robot: &Robot) -> Option<Text> {
         let joints = robot.joints.len();
         if joints > MOST_JOINTS {

@@ -1,4 +1,4 @@
-//! What candidates show of a model, in units of the noise:
+//! The rows of candidates for a model, in units of the noise:
 //!
 //! ```text
 //! J = ∂y/∂β / σ,   d = (y′ − y) / σ
@@ -24,7 +24,7 @@ pub(crate) struct Rows {
 }
 
 impl Rows {
-    /// Zeros; `sizes` says how many rows each candidate has.
+    /// Zeros; `sizes` are the numbers of rows of the candidates.
     pub(crate) fn zeros(coefficients: usize, sizes: impl Iterator<Item = usize>) -> Self {
         let mut first = vec![0];
         first.extend(sizes.scan(0, |end, size| {
@@ -66,8 +66,8 @@ impl Rows {
         all
     }
 
-    /// What is fitted of every sample of a layer, measured less predicted as the difference, in these units
-    /// of the layer's rows; and the information of what is known beside the samples: distances between sockets.
+    /// The residuals of every sample of a layer that is fitted, as the difference, in these units of the layer's rows;
+    /// and the information of the priors: distances between sockets.
     pub(crate) fn of_layer(layer: &Layer, model: &Model, unit: [f64; 3]) -> (Self, DMatrix<f64>) {
         let mut sizes = vec![0; layer.session.samples.len()];
         let mut before = vec![0; layer.items.len()];
@@ -77,7 +77,7 @@ impl Rows {
         }
         let p = model.coefficient_count();
         let mut all = Self::zeros(p, sizes.into_iter());
-        let mut beside = DMatrix::zeros(p, p);
+        let mut prior = DMatrix::zeros(p, p);
         layer.visit(model, true, |block| {
             for (lane, item) in block.items.iter().enumerate() {
                 for row in (0..3).filter(|row| block.rows[*row][lane]) {
@@ -85,7 +85,7 @@ impl Rows {
                     match *item {
                         None => {
                             let own = DVector::from_fn(p, |k, _| of(k));
-                            beside.ger(1.0, &own, &own, 1.0);
+                            prior.ger(1.0, &own, &own, 1.0);
                         }
                         Some(item) if layer.fit[item] => {
                             let to = all.first[layer.items[item].sample] + before[item] + row;
@@ -97,7 +97,7 @@ impl Rows {
                 }
             }
         });
-        (all, beside)
+        (all, prior)
     }
 
     /// Some of the coefficients alone.

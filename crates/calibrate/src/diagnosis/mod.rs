@@ -1,16 +1,15 @@
-//! Finding and naming what is missing: where simulation and measurement disagree, which physical
-//! effect does it, how sure that is, and what to measure next where it is not.
+//! Diagnosis: finding and naming the effects that a model lacks. Where simulation and measurement disagree, which
+//! physical effect is the cause, how certain that is, and what to measure next where it is not.
 //!
-//! The way, one room for each part of it; a room uses only those before it:
+//! The steps, one module for each; a module uses only those before it:
 //!
-//! 1. [`crate::set_up_errors`]: mistakes of setting up are tried first and mended for what follows.
+//! 1. [`crate::set_up_errors`]: mistakes of setting up are tried first and corrected for what follows.
 //! 2. `crate::fit::noise`: residuals of the robust base fit, whitened by axis and in time.
-//! 3. `candidates`: every testable name with every setting, and anonymous shapes beside them.
-//! 4. `evidence`: what each would do, what the whole search would find in noise alone, and what samples say that
-//!    no fit has seen.
-//! 5. `rest`: what has no name.
+//! 3. `candidates`: every testable name with every setting, and anonymous shapes.
+//! 4. `evidence`: the gain of each, what the whole search would find in noise alone, and cross-validation.
+//! 5. `rest`: the part of the error that repeats and has no name.
 //! 6. `search`: forward, swaps, drops, pairs, rivals; `search::searched` is all of it on one screen.
-//! 7. `verdict`: values with intervals, what is left, what would have been seen, what predicts without a name. Poses
+//! 7. `verdict`: values with intervals, the unexplained rest, limits of detection, what predicts without a name. Poses
 //!    that decide between rivals are proposed by a planner that the caller hands in (`pipeline::diagnose` takes
 //!    [`crate::design`]'s).
 //!
@@ -55,7 +54,7 @@ use std::cell::Cell;
 use crate::sessions::Session;
 use crate::set_up_errors::CorrectedSession;
 
-/// Diagnoses a session; `planner` proposes poses for what stays undecided.
+/// Diagnoses a session; `planner` proposes poses for open questions.
 ///
 /// # Errors
 /// If an option makes no sense, if there is no sample to fit, or if the watcher stops it.
@@ -74,9 +73,9 @@ pub fn diagnose(
         goes_on
     };
     let watch: Watch = &asked;
-    let mended = checked(session, options, watch)?;
-    let first = prepared(&mended.session, options, watch)?;
-    let (prepared, answer) = answered(&mended, first, options, planner, watch)?;
+    let corrected = checked(session, options, watch)?;
+    let first = prepared(&corrected.session, options, watch)?;
+    let (prepared, answer) = answered(&corrected, first, options, planner, watch)?;
     let sides_matter = prepared.incomplete.as_ref().is_none_or(|lacking| {
         let (problem, noise_mm) = (&prepared.problem, answer.floor.mm);
         !incomplete::only_sides_that_matter_little(problem, lacking, &answer.model, noise_mm)
@@ -84,13 +83,13 @@ pub fn diagnose(
     if sides_matter || answer.stopped.is_some() {
         return Ok(answer);
     }
-    let all = PreparedSearch::of(&mended.session, options, |_| None)?;
-    Ok(answered(&mended, all, options, planner, watch)?.1)
+    let all = PreparedSearch::of(&corrected.session, options, |_| None)?;
+    Ok(answered(&corrected, all, options, planner, watch)?.1)
 }
 
-/// The search of a session made ready, and what its end says.
+/// Searches a prepared session and makes the answer.
 fn answered<'a>(
-    mended: &'a CorrectedSession,
+    corrected: &'a CorrectedSession,
     prepared: PreparedSearch<'a>,
     options: &Options,
     planner: Planner,
@@ -98,7 +97,7 @@ fn answered<'a>(
 ) -> Result<(PreparedSearch<'a>, Diagnosis), DiagnoseError> {
     let (prepared, found) = searched(prepared, options, watch)?;
     let keep_going = until_stopped(&prepared.regression.work, options, watch);
-    let answer = verdict::answer(mended, &prepared, &found, planner, &keep_going)?;
+    let answer = verdict::answer(corrected, &prepared, &found, planner, &keep_going)?;
     drop(keep_going);
     Ok((prepared, answer))
 }

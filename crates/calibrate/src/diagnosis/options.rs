@@ -1,11 +1,11 @@
-//! What is looked for, and how.
+//! The options of a diagnosis.
 
 use crate::effects::JointValues;
 
 use super::DiagnoseError;
 use super::candidates::table::Allowed;
 
-/// What to look for, and how.
+/// The options of a diagnosis.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
     /// Names that may be used.
@@ -14,11 +14,11 @@ pub struct Options {
     pub max_effects: Option<usize>,
     /// Share of the samples to lock away from everything.
     pub held_out: Option<f64>,
-    /// Seed of what is drawn where poses are proposed.
+    /// Seed of the random numbers with which poses are proposed.
     pub seed: u64,
     /// Joint values to start from.
     pub joint_values: JointValues,
-    /// Whether a watcher that stops the search gets what is proven until then, said to be that; else
+    /// Whether a search that the watcher stops answers with what was found until then, marked as such; else
     /// [`DiagnoseError::Cancelled`].
     pub keep_when_stopped: bool,
     /// Whether the model holds names and geometry only, and nothing that predicts without a name.
@@ -26,8 +26,8 @@ pub struct Options {
     /// Whether names are added to a model one by one, as in the window: what predicts without a name and is a part of
     /// a whole model (of several joints) stays out of it.
     pub names_one_by_one: bool,
-    /// On how many threads the parts of a search are done that do not depend on each other; `None`: on two where
-    /// the machine has them. The answer is the same to the last bit.
+    /// On how many threads independent parts of a search are done; `None`: on two where the machine has them. The
+    /// answer is the same to the last bit.
     pub threads: Option<usize>,
 }
 

@@ -1,6 +1,6 @@
-//! How far a diagnosis is, and that it was stopped.
+//! The progress of a diagnosis, and its cancellation.
 
-/// How far the diagnosis is.
+/// The progress of the diagnosis.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Progress {
     /// Looking for set-up errors.
@@ -21,7 +21,7 @@ pub enum Progress {
     Planning,
 }
 
-/// Is told of progress; answers whether to go on.
+/// Receives the progress; returns whether to go on.
 pub type Watch<'a> = &'a dyn Fn(&Progress) -> bool;
 
 /// The watcher asked to stop.

@@ -1,17 +1,16 @@
-//! Regions where the data ask for them: the division of the sorted samples that minimises
+//! Adaptive regions: the division of the sorted samples that minimises
 //!
 //! ```text
 //! Σ over regions ( cost / σ² + 3 ln 2n )
 //! ```
 //!
-//! where a region's cost is what its own constant correction (7) leaves of |ΔP|², and each region
-//! pays for its two corrections and its boundary by the Bayesian information criterion (Schwarz
-//! 1978; Jackson et al. 2005 for the optimal partition). Dynamic programming over the boundaries
-//! finds the best division of all; a long session is first gathered into cells of neighbouring
-//! samples, so that the work stays linear in the samples.
+//! where a region's cost is the residual of |ΔP|² after its own constant correction (7), and each region pays for its
+//! two corrections and its boundary by the Bayesian information criterion (Schwarz 1978; Jackson et al. 2005 for the
+//! optimal partition). Dynamic programming over the boundaries finds the best division of all; a long session is first
+//! gathered into cells of neighbouring samples, so that the work is linear in the samples.
 //!
-//! A region costs four numbers of the report and hides what the cause is: an effect that explains
-//! the whole range is always the better answer, and the exact method is there to look for it.
+//! A region costs four numbers of the report and hides the cause: an effect that explains the whole range is always
+//! the better answer, and the exact method searches for it.
 
 use truepose_session::refusal::Refusal;
 
@@ -114,7 +113,7 @@ impl SegmentSums {
         }
     }
 
-    /// What the least-squares correction (7) leaves of Σ |ΔP|².
+    /// The residual of Σ |ΔP|² after the least-squares correction (7).
     fn cost(&self) -> f64 {
         let along = if self.n > 0.0 {
             self.dx * self.dx / self.n
@@ -203,7 +202,7 @@ fn noise_variance(session: &Session, samples: &[Sample]) -> f64 {
         .powi(2)
 }
 
-/// What neighbours differ by, as the standard deviation of a coordinate, mm.
+/// The noise from the differences of neighbours, as the standard deviation of a coordinate, mm.
 fn seen_noise(samples: &[Sample]) -> f64 {
     let pairs = samples.windows(2);
     let mut steps: Vec<f64> = pairs
@@ -283,16 +282,16 @@ mod tests {
         // The sums of some are those of all without those before.
         let some = &samples[11..];
         let cost = sums(&samples).plus(&sums(&samples[..11]), -1.0).cost();
-        let left = |along: f64, around: f64| -> f64 {
+        let cost_at = |along: f64, around: f64| -> f64 {
             let one = |s: &Sample| (s.dx - along).powi(2) + (s.dy - around * s.l1).powi(2);
             some.iter().map(one).sum()
         };
         let along = some.iter().map(|s| s.dx).sum::<f64>() / some.len() as f64;
         let turned: f64 = some.iter().map(|s| s.l1 * s.dy).sum();
         let around = turned / some.iter().map(|s| s.l1 * s.l1).sum::<f64>();
-        assert!((cost - left(along, around)).abs() < 1e-9);
+        assert!((cost - cost_at(along, around)).abs() < 1e-9);
         for (more, turn) in [(0.01, 0.0), (-0.01, 0.0), (0.0, 1e-4), (0.0, -1e-4)] {
-            assert!(left(along + more, around + turn) > cost + 1e-4);
+            assert!(cost_at(along + more, around + turn) > cost + 1e-4);
         }
     }
 

@@ -1,4 +1,4 @@
-//! What a fit answers: parameters with their intervals, RMS errors, outliers, what is not identifiable.
+//! The answer of a fit: parameters with their intervals, RMS errors, outliers, what is not identifiable.
 
 use nalgebra::DMatrix;
 
@@ -68,10 +68,10 @@ pub(crate) fn report(
     }
 }
 
-/// The noise of a problem, with what it says of the robot.
+/// The noise of a problem, with the repeatability of the robot.
 fn noise_with_robot(problem: &Problem, model: &Model) -> Option<Noise> {
     let noise = problem.noise.clone()?;
-    // Of a pose that was measured once its own error is not told from what the geometry lacks.
+    // Of a pose that was measured once its own error cannot be distinguished from what the geometry lacks.
     let shows_robot = noise.joints_rad > 0.0 && problem.inputs.pose.is_some();
     let robot_mm = shows_robot.then(|| Rows::of(problem).seen_by(model).unrepeated_mm(&noise));
     Some(Noise {
@@ -96,8 +96,8 @@ fn noise_by_axis(problem: &Problem, after: &Deviations, rank: usize) -> Option<[
     })
 }
 
-/// Covariance of all coefficients of a solution, those of columns beside the model last; `None`
-/// where as many coordinates as coefficients were measured and the noise is not stated.
+/// Covariance of all coefficients of a solution, those of extra columns last; `None` where as many coordinates as
+/// coefficients were measured and the noise is not stated.
 pub(crate) fn covariance_of(problem: &Problem, solution: &Solution) -> Option<DMatrix<f64>> {
     let freedom = freedom(problem, solution);
     let variance = if freedom > 0 {
@@ -119,9 +119,8 @@ pub(crate) fn covariance_of(problem: &Problem, solution: &Solution) -> Option<DM
 /// With more samples the noise is known well enough to take it as known.
 const MOST_TO_AVERAGE: usize = 5000;
 
-/// The covariance averaged over the noises that the residuals allow, each with the size and the
-/// solution that it leaves (Draper 1995): an interval that takes an estimated noise for the true one
-/// is too narrow.
+/// The covariance averaged over the noises that the residuals allow, each with its size and the solution under it
+/// (Bayesian model averaging, Draper 1995): an interval that takes an estimated noise for the true one is too narrow.
 ///
 /// ```text
 /// C = Σ_j w_j (C_j + δ_j δ_jᵀ),   δ_j the step from the solution to that under noise j
@@ -145,8 +144,8 @@ fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DM
     sum
 }
 
-/// Measured coordinates beyond what the fit follows, with the priors that are as wide as the robot's own coefficients
-/// are large: each of those leaves as much of the cost as a coordinate does.
+/// Degrees of freedom, with the priors that are as wide as the robot's own coefficients are large: each of those
+/// contributes to the cost as a coordinate does.
 fn freedom(problem: &Problem, solution: &Solution) -> usize {
     let rows = problem.rows() + problem.priors.of_its_own(&solution.model);
     rows.saturating_sub(solution.spectrum.rank())
@@ -217,7 +216,7 @@ fn gap(
     })
 }
 
-/// The samples that stand out, the farthest first.
+/// The outliers, the farthest first.
 pub(crate) fn outliers(after_mm: &[f64], stands_out: impl Iterator<Item = bool>) -> Vec<Outlier> {
     let mut outliers: Vec<Outlier> = stands_out
         .enumerate()

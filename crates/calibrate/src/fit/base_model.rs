@@ -1,13 +1,13 @@
-//! What belongs to every calibration of a robot with several joints, for identification and
+//! The base model of a robot with several joints, which every calibration contains, for identification and
 //! diagnosis alike: the measuring frame, the zero offset and the link geometry of every joint, and
 //! the tool with its targets. A robot with a single joint has its zero offset and link length.
 //!
-//! What the samples cannot tell apart is held by the gauge (`gauge.rs`).
+//! Combinations that are not identifiable are fixed by the gauge (`gauge.rs`).
 //!
-//! # The way there
-//! An instrument that stands anywhere is brought near by the best rigid motion; frame, tool and
-//! zeros are fitted before the links. Where targets miss their places the tool is taken to be turned,
-//! and only where that is not enough are their places free. Any other prior that is missed by far is let go.
+//! # Starting values
+//! An instrument at an unknown place is first aligned by the best rigid motion; frame, tool and zeros are fitted
+//! before the links. Where targets miss their stated places the tool is taken to be turned, and only where that is not
+//! enough are their places free. Any other prior that is missed by many σ is dropped.
 //!
 //! Sources: Mooring, Roth & Driels, *Fundamentals of Manipulator Calibration*, 1991; Meggiolaro &
 //! Dubowsky, *An analytical method to eliminate the redundant parameters in robot calibration*, 2000;
@@ -55,8 +55,8 @@ pub(crate) fn belongs(id: &str) -> bool {
     role(id).is_of_every_calibration()
 }
 
-/// The terms of the base model that are beside the effects of the catalogue: frames, tool, links.
-/// `exists` says whether a name may be used at all.
+/// The terms of the base model besides the effects of the catalogue: frames, tool, links. `exists` states whether a
+/// name may be used at all.
 pub(crate) fn terms(
     session: &Session,
     problem: &Problem,
@@ -87,7 +87,7 @@ pub(crate) fn terms(
 }
 
 /// All of it: zero offsets, frames, tool, links; of a single joint its zero offset and link length where they can be
-/// tested, and what is [`beside`] them.
+/// tested, and its [`extra_terms`].
 pub fn start(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool) -> Model {
     let mut all = Vec::new();
     if is_arm(session) {
@@ -98,7 +98,7 @@ pub fn start(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool
         all.extend(terms(session, problem, exists));
     } else {
         all.extend(of_a_single_joint(session, problem, exists));
-        all.extend(beside(session, problem));
+        all.extend(extra_terms(session, problem));
     }
     Model::new(session.robot.clone(), all)
 }
@@ -119,11 +119,11 @@ pub(crate) fn of_a_single_joint(
         .collect()
 }
 
-/// What is fitted beside the parameters of a single joint, or of names alone: unknown places of what was measured, or a
-/// frame for each setup.
-pub(crate) fn beside(session: &Session, problem: &Problem) -> Vec<Term> {
+/// The terms that are fitted in addition to the parameters of a single joint, or to names alone: unknown places of
+/// what was measured, or a frame for each setup.
+pub(crate) fn extra_terms(session: &Session, problem: &Problem) -> Vec<Term> {
     match &problem.observed {
-        Some(layer) => observed::terms_beside(session, layer),
+        Some(layer) => observed::extra_terms(session, layer),
         None => free_frames(session, problem),
     }
 }
@@ -144,8 +144,8 @@ fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
     }
 }
 
-/// A robot as it was drawn, seen from each setup where the best rigid motion puts it: a session with
-/// setups does not say where its instrument stands, and that is no error of the robot.
+/// The nominal robot, in each setup where the best rigid motion puts it: a session with setups does not state where
+/// its instrument was, and that is no error of the robot.
 pub fn nominal(robot: &Robot, session: &Session, problem: &Problem) -> Model {
     Model::new(robot.clone(), free_frames(session, problem))
 }
@@ -177,9 +177,9 @@ fn targets(session: &Session, problem: &Problem) -> Vec<Term> {
 pub struct Fitted {
     /// The solution.
     pub solution: Solution,
-    /// What is held at zero.
+    /// The parameters that are held at zero.
     pub held: Vec<NotIdentifiable>,
-    /// What else there is to say.
+    /// Other notes.
     pub notes: Vec<Text>,
 }
 
@@ -223,7 +223,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
         let (of_targets, others): (Vec<_>, Vec<_>) =
             missed.into_iter().partition(|m| of_one_target(&m.0));
         if !of_targets.is_empty() {
-            // A tool that is mounted turned moves every target; only then are their places in doubt.
+            // A tool that is mounted turned moves every target; only then their places are doubtful.
             let start = if is_turned(&model) || !may_turn(problem, start) {
                 notes.push(doubt_targets(problem, start));
                 Cow::Borrowed(start)
@@ -261,7 +261,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
     }
 }
 
-/// How wide the weak priors of this robot are, at a solution; `None` where none holds.
+/// The widths of the weak priors of this robot, at a solution; `None` without weak priors.
 fn likeliest_widths(problem: &Problem, solution: &Solution) -> Option<Widths> {
     let weak = problem.priors.weak;
     weak.then(|| equations_at(problem, solution))
@@ -271,8 +271,8 @@ fn likeliest_widths(problem: &Problem, solution: &Solution) -> Option<Widths> {
         })
 }
 
-/// Fits a model once more with the weak priors of this robot's own width beside everything that the model holds, the noise
-/// being known.
+/// Fits a model once more with the weak priors of this robot's own width and everything that the model contains, with
+/// known noise.
 pub(crate) fn with_own_widths(problem: &mut Problem, mut solution: Solution) -> Solution {
     for _ in 0..budget::ROUNDS {
         match likeliest_widths(problem, &solution) {
@@ -286,8 +286,8 @@ pub(crate) fn with_own_widths(problem: &mut Problem, mut solution: Solution) -> 
     solution
 }
 
-/// Frees the targets that are not where the session says. Where nothing tells which those are, all are known no
-/// better than they agree: were they free, the one that the gauge holds would say where the tool is.
+/// Frees the targets that are not where the session states them. Where these cannot be determined, all get the
+/// uncertainty by which they disagree: were they free, the one that the gauge fixes would determine the tool.
 fn doubt_targets(problem: &mut Problem, start: &Model) -> Text {
     let Some(stated) = problem.priors.targets_mm.take() else {
         return Text::default();
@@ -331,7 +331,7 @@ fn doubt_targets(problem: &mut Problem, start: &Model) -> Text {
     )
 }
 
-/// What is known beforehand.
+/// The priors.
 fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<Text>) -> Priors {
     let session = problem.session;
     let mut aligned = session.samples.setups.is_none();
@@ -363,8 +363,8 @@ fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<Text>) -
     priors
 }
 
-/// The same as the residuals show it: where something is missing they weigh less beside the priors. Rows that are all
-/// followed leave nothing: the priors choose among what follows them then.
+/// The same from the residuals: where something is missing, rows weigh less compared with the priors. Where all rows
+/// are followed exactly there is no residual: the priors choose among the exact solutions then.
 fn variance(problem: &Problem, solution: &Solution) -> f64 {
     let rows = problem.rows() + problem.priors.of_its_own(&solution.model);
     let freedom = rows.saturating_sub(solution.spectrum.rank());
@@ -408,7 +408,7 @@ fn links_held(model: &Model) -> Model {
     })
 }
 
-/// The values of one model with what is held in another of the same terms.
+/// The values of one model with those that are held in another of the same terms.
 fn with_held_of(values: &Model, held: &Model) -> Model {
     values.with_each(|index, term| term.held = held.terms()[index].held)
 }

@@ -1,9 +1,8 @@
-//! The estimator that every answer comes from: weighted least squares beside noise that is
-//! estimated with it, without the samples that stand apart.
+//! The estimator of every answer: weighted least squares with noise that is estimated together with it, without
+//! outliers.
 //!
-//! Fitting, looking at what is left and fitting again goes on until the same samples stay out and
-//! the noise is the same. A size that cannot be negative and came out so is zero, and the others
-//! are fitted beside that.
+//! Fitting and inspecting the residuals is repeated until the same samples are set aside and the noise no longer
+//! changes. A size that cannot be negative and came out so is zero, and the others are fitted given that.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -12,7 +11,7 @@ use crate::model::Model;
 use crate::observations::figures::judge;
 use crate::{budget, rounding};
 
-use super::gap::{Deviations, deviations_again, suspects_beside};
+use super::gap::{Deviations, deviations_again, suspects_given};
 use super::noise::Noise;
 use super::problem::Problem;
 use super::regression::Rows;
@@ -21,21 +20,21 @@ use super::solver::{Solution, Stopped, solve};
 /// How often the noise is estimated again: after that only outliers may change.
 const MOST_NOISE: usize = 3;
 
-/// Fits the coefficients of `start`. The problem leaves with its outliers out and its noise known.
+/// Fits the coefficients of `start`. Afterwards the problem has its outliers set aside and its noise estimated.
 pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
     let mut solution = solve(problem, start);
     if problem.observed.is_some() {
         return of_all_kinds(problem, solution);
     }
-    let mut left = Deviations::default();
+    let mut residuals = Deviations::default();
     let mut may_not_repeat = false;
     for round in 0..budget::ROUNDS {
         if solution.stopped == Stopped::Cancelled {
             break;
         }
-        deviations_again(problem, &solution.model, &mut left);
+        deviations_again(problem, &solution.model, &mut residuals);
         let (rank, covariance) = (solution.spectrum.rank(), || covariance(&solution));
-        let suspected = suspects_beside(problem, &mut left, &solution.model, rank, covariance);
+        let suspected = suspects_given(problem, &mut residuals, &solution.model, rank, covariance);
         let kept = problem.fit.iter().zip(&suspected).map(|(f, s)| *f && !*s);
         let used: Vec<bool> = kept.collect();
         let same = used == problem.used;
@@ -46,7 +45,7 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
         let noise = (round < MOST_NOISE || first_time).then(|| {
             let (model, extra) = (&solution.model, &solution.extra_coefficients);
             if may_not_repeat {
-                noise_beside(problem, model, extra)
+                noise_given(problem, model, extra)
             } else {
                 noise_of_rows(problem, &rows(problem), model, extra)
             }
@@ -79,7 +78,7 @@ pub(crate) fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solu
     solution
 }
 
-/// The covariance of the model's coefficients, without what was fitted beside them.
+/// The covariance of the model's coefficients, without the extra columns.
 fn covariance(solution: &Solution) -> DMatrix<f64> {
     let own = solution.model.coefficient_count();
     solution.spectrum.inverse().resize(own, own, 0.0)
@@ -118,8 +117,8 @@ fn only_rescaled(problem: &Problem, before: [f64; 3]) -> Option<f64> {
     (white && high - low <= rounding::COMPUTED * high).then_some(high)
 }
 
-/// Sizes that cannot be negative and came out so are zero; the others are fitted beside that. What
-/// is known of them stays that of the whole fit.
+/// Sizes that cannot be negative and came out so are zero; the others are fitted given that. Their covariance remains
+/// that of the whole fit.
 fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
     let negative = |t: &Term| {
         t.effect.about().non_negative && t.coefficients.first().is_some_and(|c| *c < 0.0)
@@ -134,8 +133,8 @@ fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
     if gone.is_empty() || solution.stopped == Stopped::Cancelled {
         return solution;
     }
-    let rest = solve(problem, &solution.model.without(negative));
-    let rest = without_negative_sizes(problem, rest);
+    let reduced = solve(problem, &solution.model.without(negative));
+    let reduced = without_negative_sizes(problem, reduced);
     let absent = |t: Term| Term {
         coefficients: vec![0.0; t.coefficients.len()],
         ..t
@@ -143,16 +142,16 @@ fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
     let model = gone
         .into_iter()
         .map(absent)
-        .fold(rest.model, |m, t| m.with_term(t));
+        .fold(reduced.model, |m, t| m.with_term(t));
     Solution {
         model,
-        cost: rest.cost,
-        extra_coefficients: rest.extra_coefficients,
+        cost: reduced.cost,
+        extra_coefficients: reduced.extra_coefficients,
         ..solution
     }
 }
 
-/// The rows that tell the noise.
+/// The rows from which the noise is estimated.
 fn rows<'a>(problem: &Problem<'a>) -> Rows<'a> {
     match stretches(problem) {
         Some(samples) => Rows::of_samples(problem, samples),
@@ -160,13 +159,13 @@ fn rows<'a>(problem: &Problem<'a>) -> Rows<'a> {
     }
 }
 
-/// The noise that a model leaves in the samples that count.
-pub(crate) fn noise_beside(problem: &Problem, model: &Model, extra_coefficients: &[f64]) -> Noise {
+/// The noise estimated from the residuals of a model in the samples that count.
+pub(crate) fn noise_given(problem: &Problem, model: &Model, extra_coefficients: &[f64]) -> Noise {
     let rows = rows(problem).seen_by(model);
     noise_of_rows(problem, &rows, model, extra_coefficients)
 }
 
-/// The same of some rows; what the joints do not repeat is not looked for where no model has seen them.
+/// The same of some rows; repeatability is not estimated where no model has been evaluated on them.
 fn noise_of_rows(
     problem: &Problem,
     rows: &Rows,
@@ -191,7 +190,7 @@ fn noise_of_rows(
     if problem.shows_time() {
         return Noise::estimate_with_alternatives(stated, rows, &residual, &columns);
     }
-    // What it may be besides is a noise that wanders in time as well.
+    // The alternative is a noise that is slow in time as well.
     Noise::estimate(stated, rows, &residual, &columns).made_white()
 }
 

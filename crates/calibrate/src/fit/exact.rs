@@ -1,8 +1,8 @@
 //! The exact identification: nonlinear least squares in the measuring frame, for any effects.
 //!
-//! Suspected outliers are found by fitting, looking at what is far off, and fitting again without
-//! it until nothing changes. Where the instrument's noise is given as one number the ratio
-//! between the axes is taken from the residuals.
+//! Suspected outliers are found by fitting, inspecting the residuals, and fitting again without them until nothing
+//! changes. Where the instrument's noise is given as one number the ratio between the axes is taken from the
+//! residuals.
 
 use crate::answers::identification::{Identification, NotIdentifiable};
 use crate::effects::{
@@ -40,11 +40,10 @@ pub fn identify_exact(
     identify_watched(session, effects, &[], true, values, &|| true)
 }
 
-/// Like [`identify_exact`], with terms beside the named effects whose settings (orders, times) are
-/// known, from a diagnosis: they are fitted too, from where they are, and nothing is scanned for
-/// them. A named effect that is among them already is not fitted twice. Without `priors` nothing
-/// holds the geometry of several joints where few poses show it. Asks before every pass over the
-/// samples whether to go on.
+/// Like [`identify_exact`], with terms in addition to the named effects whose settings (orders, times) are known, from
+/// a diagnosis: they are fitted too, from where they are, and nothing is scanned for them. A named effect that is
+/// among them already is not fitted twice. Without `priors` nothing holds the geometry of several joints where few
+/// poses determine it. Asks before every pass over the samples whether to go on.
 ///
 /// # Errors
 /// As [`identify_exact`], and [`IdentifyError::Cancelled`] where `keep_going` said no.
@@ -71,9 +70,9 @@ pub(super) struct Fresh<'a> {
     pub(super) fitted: Solution,
     /// The robot without the terms.
     nominal: Model,
-    /// What was asked for and cannot be fitted.
+    /// Effects that were asked for and cannot be fitted.
     pub(super) not_identifiable: Vec<NotIdentifiable>,
-    /// What else there is to say.
+    /// Other notes.
     notes: Vec<Text>,
     base: BaseModel,
     /// Its covariance, where that comes from what each pose pulls.
@@ -143,7 +142,7 @@ impl<'a> Fresh<'a> {
             .flatten();
         let is_completed = completed.is_some();
         let (mut shown, own) = completed.map_or((fitted, by_pose), |c| (c.solution, c.covariance));
-        // A fit that was made again has a fade beside its setting, which no model's file holds.
+        // A fit that was repeated has a fade besides its setting, which no model's file holds.
         shown.model = shown.model.settled();
         let mut answer = report(session, &problem, shown.clone(), &nominal, not_identifiable);
         answer.notes.extend(notes);
@@ -161,7 +160,7 @@ impl<'a> Fresh<'a> {
     }
 }
 
-/// What a fit begins with.
+/// The start of a fit.
 pub(super) struct FitStart<'a> {
     /// The samples.
     pub(super) problem: Problem<'a>,
@@ -169,13 +168,13 @@ pub(super) struct FitStart<'a> {
     pub(super) start: Model,
     /// The robot without them.
     pub(super) nominal: Model,
-    /// What was asked for and cannot be fitted.
+    /// Effects that were asked for and cannot be fitted.
     pub(super) not_identifiable: Vec<NotIdentifiable>,
     base: BaseModel,
 }
 
-/// Whether the terms hold what is fitted beside every name where joint values alone do not tell it: the geometry of
-/// several joints, and the unknown places of other measurements than points.
+/// The terms that are fitted with every name where joint values alone do not determine them: the geometry of several
+/// joints, and the unknown places of other measurements than points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum BaseModel {
     Absent,
@@ -242,7 +241,7 @@ pub(super) fn prepare<'a>(
         let new = base_model::terms(session, &problem, |id| !known(id));
         terms.extend(new);
     } else {
-        terms.extend(base_model::beside(session, &problem));
+        terms.extend(base_model::extra_terms(session, &problem));
     }
     let nominal = Model::nominal(session.robot.clone());
     let base = base || problem.observed.is_some();
@@ -283,7 +282,7 @@ fn places(effect: &Effect, survey: &Survey) -> Vec<(usize, Option<Text>)> {
         .collect()
 }
 
-/// The one reason that stands against an effect on every joint, if there is such a reason.
+/// The common reason against an effect on every joint, if there is one.
 fn same_everywhere(places: &[(usize, Option<Text>)]) -> Option<Text> {
     let first = places.first()?.1.clone()?;
     places

@@ -26,8 +26,8 @@ pub(super) fn sweep(axis: [f64; 3]) -> Session {
     simulate(&scenario, 1, unwatched).unwrap().0
 }
 
-/// A turntable on a tilting axis, 60 poses each seen by three reflectors, noise of 0.02 mm; at every pose each joint is
-/// off by an error of its own, so large (standard deviation, rad).
+/// A turntable on a tilting axis, 60 poses each measured with three reflectors, noise of 0.02 mm; at every pose each
+/// joint is off by an error of its own with this standard deviation, rad.
 pub(crate) fn unrepeated(joints_rad: f64, seed: u64) -> Session {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut normal = || -> f64 { StandardNormal.sample(&mut random) };

@@ -1,19 +1,18 @@
-//! How sure a model is where the robot works: the error that the uncertainty of its parameters makes
-//! over the joint ranges, not only at the poses that were measured.
+//! The expected error of a model where the robot works: the propagated uncertainty of its parameters over the joint
+//! ranges, not only at the poses that were measured.
 //!
 //! ```text
 //! var p(q) = J(q) Σ J(q)ᵀ,   expected error = √ tr var p(q)
 //! ```
 //!
-//! What the measured poses cannot tell apart is held by the gauge, and tells poses apart that are elsewhere (of a joint
-//! that was never moved all of it): beside the covariance each such combination d counts with what is known of it
-//! beforehand,
+//! Combinations that the measured poses do not determine are fixed by the gauge, and yet matter at other poses (of a
+//! joint that was never moved all of it): in addition to the covariance each such combination d counts with its prior,
 //!
 //! ```text
 //! J d = 0 at the measured poses,   var p(q) += σ_d² |J(q) d|²,   1/σ_d² = Σ_k (d_k/σ_k)²
 //! ```
 //!
-//! unless the model and its covariance hold them already (`unseen`), which is so of all but the instrument's own.
+//! unless the model and its covariance contain them already (`unseen`), which is so of all but the instrument's own.
 
 use nalgebra::DMatrix;
 
@@ -95,7 +94,8 @@ pub fn uncertainties_mm(
     Some(all)
 }
 
-/// What the combinations that the samples do not show may move every pose by, mm; of a robot with several joints.
+/// The possible moves of every pose by the combinations that the samples do not determine, mm; of a robot with several
+/// joints.
 pub(crate) fn unseen_mm(problem: &Problem, model: &Model, inputs: &Inputs) -> Vec<f64> {
     moved_by(&Unseen::of(problem, model), problem, inputs)
 }

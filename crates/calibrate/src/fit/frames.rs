@@ -1,12 +1,11 @@
-//! Measuring frames of the setups of a session, to begin with.
+//! Starting values of the measuring frames of the setups of a session.
 
 use crate::effects::{MEASURING_FRAME, Term};
 use crate::kinematics::quaternion::log;
 use crate::sessions::Session;
 use nalgebra::Isometry3;
 
-/// A frame for each setup, or the one of the instrument; `motion` says where it is from the samples
-/// that it is asked for.
+/// A frame for each setup, or the one of the instrument; `motion` locates it from the samples that it is asked for.
 pub(super) fn frames_from(
     session: &Session,
     motion: impl Fn(&dyn Fn(usize) -> bool) -> Option<Isometry3<f64>>,

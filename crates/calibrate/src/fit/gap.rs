@@ -1,6 +1,5 @@
-//! What a model leaves of the samples: the deviations e = measured − predicted, in mm, over three coordinates
-//! (two in a planar session), and which of them are suspected outliers. Their RMS error is defined in
-//! `answers::rms_error`.
+//! The residuals of a model: the deviations e = measured − predicted, in mm, over three coordinates (two in a planar
+//! session), and which of them are suspected outliers. Their RMS error is defined in `answers::rms_error`.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -21,26 +20,30 @@ pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
     if let Some(layer) = &problem.observed {
         return figures::deviations(layer, model);
     }
-    let mut left = Deviations::default();
-    deviations_again(problem, model, &mut left);
-    left
+    let mut residuals = Deviations::default();
+    deviations_again(problem, model, &mut residuals);
+    residuals
 }
 
 /// The same in the memory of earlier ones: of a long session that is most of the work.
-pub(crate) fn deviations_again(problem: &Problem, model: &Model, left: &mut Deviations) {
+pub(crate) fn deviations_again(problem: &Problem, model: &Model, residuals: &mut Deviations) {
     if problem.observed.is_some() {
-        *left = deviations(problem, model);
+        *residuals = deviations(problem, model);
         return;
     }
-    for column in left.axes_mm.iter_mut().chain([&mut left.length_mm]) {
+    for column in residuals
+        .axes_mm
+        .iter_mut()
+        .chain([&mut residuals.length_mm])
+    {
         column.clear();
         column.reserve_exact(problem.inputs.len());
     }
     each_block(problem, model, |axes, length| {
-        for (all, own) in left.axes_mm.iter_mut().zip(axes) {
+        for (all, own) in residuals.axes_mm.iter_mut().zip(axes) {
             all.extend_from_slice(own);
         }
-        left.length_mm.extend_from_slice(length);
+        residuals.length_mm.extend_from_slice(length);
     });
 }
 
@@ -116,9 +119,9 @@ pub(crate) fn rms_mm(problem: &Problem, model: &Model) -> f64 {
     over_fitted(problem, &lengths_mm(problem, model)).map_or(0.0, |s| s.rms_mm)
 }
 
-/// Like [`suspects`] beside a fit of so many coefficients, which has not seen what it left out: there the
-/// deviations are changed. `covariance` is that of the model's coefficients.
-pub(crate) fn suspects_beside(
+/// Like [`suspects`] for the samples that a fit of so many coefficients left out: their deviations are corrected for
+/// not being fitted. `covariance` is that of the model's coefficients.
+pub(crate) fn suspects_given(
     problem: &Problem,
     deviations: &mut Deviations,
     model: &Model,
@@ -168,7 +171,7 @@ fn leverages_of_unseen(
 /// not count in the bulk.
 pub(crate) fn suspects(problem: &Problem, deviations: &Deviations) -> Vec<bool> {
     if let Some(layer) = &problem.observed {
-        // Every kind was judged beside its own bulk while it was fitted.
+        // Every kind was compared with its own bulk while it was fitted.
         return layer.samples_with(&layer.suspected);
     }
     let axes: Vec<usize> = (0..3).filter(|a| problem.axis_weights[*a] > 0.0).collect();
@@ -188,7 +191,7 @@ mod tests {
     use crate::fit::regression::Rows;
     use crate::fit::solver::covariance_at;
 
-    /// With all rows of the least squares at hand: J (J₁ᵀ W J₁)⁻¹ Jᵀ W of the rows that it has not seen.
+    /// By dense least squares: J (J₁ᵀ W J₁)⁻¹ Jᵀ W of the rows that it left out.
     #[test]
     fn leverages_of_unseen_samples_are_those_of_the_dense_rows() {
         let session = unrepeated(0.0, 2);
@@ -197,7 +200,7 @@ mod tests {
         problem.used[7] = false;
         problem.used[100] = false;
         let start = base_model::start(&session, &problem, |_| true);
-        // Coefficients that the rows tell apart.
+        // Coefficients that the rows determine.
         let model = start.without(|term| term.effect.about().id != "joint-zero-offset");
         let of = |samples: Vec<usize>| {
             let rows = Rows::of_samples(&problem, samples);

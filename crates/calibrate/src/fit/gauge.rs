@@ -1,9 +1,9 @@
-//! The gauge of the base model: what the samples cannot tell apart, and what of it is held.
+//! The gauge of the base model: combinations of coefficients that are not identifiable, and which of them are held.
 //!
-//! Some coefficients the samples cannot tell apart whatever the poses are: where axis 1 runs in the frame
-//! of an unknown instrument, the last zero offset and a target on the tool, a zero offset and a turn
-//! of the next axis about the same direction. The columns of the Jacobian (mm at the targets per mm
-//! or per rad) are gone through in a fixed order of preference,
+//! Some combinations are not identifiable whatever the poses are: where axis 1 runs in the frame of an unknown
+//! instrument, the last zero offset and a target on the tool, a zero offset and a turn of the next axis about the same
+//! direction. The columns of the Jacobian (mm at the targets per mm or per rad) are visited in a fixed order of
+//! preference,
 //!
 //! ```text
 //! frames · tool · targets · zero offsets 1 … n · tool orientation · link geometry 1 … n
@@ -12,14 +12,13 @@
 //! (where orientation is measured the tool's comes before the zero offsets; places that measurements
 //! refer to and that are not known, [`crate::effects::places`], before everything)
 //!
-//! and where nothing of one is left beside those before it (modified Gram–Schmidt, twice, Björck 1967)
-//! the last of those that make it up is held at zero: the last of the kind that has a good part in it, lest a zero
-//! offset of 70 mm of lever stand for a shift and become large. So the same robot gives the same values in every session that shows it, and
-//! what joint 1 shares with the frame belongs to the frame, what the last joint shares with the
-//! tool to the tool, what neighbours share to the first. What is held is said in words. The choice is
-//! made at the nominal geometry, where columns are exact copies of one another, and kept while the
-//! fit goes on. The weak priors ([`super::priors`]) have no say in it; what the session states of its
-//! targets has, as it is a measurement.
+//! and where a column is linearly dependent on those before it (modified Gram–Schmidt, twice, Björck 1967) the last of
+//! those in the combination is held at zero: the last of the kind that has a good part in it, lest a zero offset of 70
+//! mm of lever replace a shift and become large. So the same robot gives the same values in every session that
+//! determines them, and what joint 1 shares with the frame is attributed to the frame, what the last joint shares with
+//! the tool to the tool, what neighbours share to the first. What is held is reported. The choice is made at the
+//! nominal geometry, where columns are exact copies of one another, and kept while the fit goes on. The weak priors
+//! ([`super::priors`]) do not affect it; what the session states of its targets does, as it is a measurement.
 //!
 //! Source: Meggiolaro & Dubowsky, *An analytical method to eliminate the redundant parameters in
 //! robot calibration*, 2000.
@@ -41,14 +40,14 @@ use super::problem::Problem;
 use super::spread::spread;
 use super::usual_noise::{USUAL_NOISE_MM, stated_variance};
 
-/// A column of which less than this share is left beside others is a copy of them. Rounded axes
-/// (1.5708 for a right angle) leave some 4e-6.
+/// A column whose projection orthogonal to others is less than this share of it is a copy of them. Rounded axes
+/// (1.5708 for a right angle) give some 4e-6.
 pub(crate) const COPY: f64 = 1e-4;
-/// What is stated makes a column no copy by this share; of a combination that is not seen at most as much of its held
-/// coefficient's own column is left.
+/// What is stated makes a column no copy by this share; of a combination that is not determined the projection of its
+/// held coefficient's column is at most as large.
 pub(crate) const MOST_SEEN: f64 = 10.0 * COPY;
-/// Of what is a copy of one another the last is held, of those of its kind that have so large a part
-/// in it, as moves of the tool; and those with so large a part are named.
+/// Of a combination the last coefficient is held, of those of its kind that have so large a part in it, as moves of
+/// the tool; and those with so large a part are named.
 const GOOD_PART: f64 = 0.3;
 pub(super) const NAMED_PART: f64 = 0.02;
 
@@ -57,8 +56,8 @@ pub(crate) fn gauged(problem: &Problem, start: &Model) -> Model {
     with_gauge(problem, start).0
 }
 
-/// The model with everything held at zero that the samples cannot tell from what comes before it,
-/// and that in words. Links that are held altogether are left out.
+/// The model with everything held at zero that is linearly dependent on what comes before it, and a description of
+/// that. Links that are held altogether are left out.
 pub(super) fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>) {
     let names = coefficient_names(start);
     let places = in_order(problem, start);
@@ -73,7 +72,7 @@ pub(super) fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIde
     let open = observed::open(problem).base;
     for (rank, place) in places.iter().enumerate() {
         if open && place.class == Class::Place {
-            // They carry the base, and the frame stands for them here.
+            // They contain the base, and the frame replaces them here.
             continue;
         }
         let column = rows.column(place.column).into_owned();
@@ -112,7 +111,7 @@ pub(super) fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIde
         let others: Vec<&Text> = parts.iter().map(|p| &names[places[p.0].column]).collect();
         let place = &places[last];
         terms[place.term].held = terms[place.term].held.with(place.coefficient);
-        // At zero an instrument that stands anywhere would see the robot elsewhere, as far off as it stands.
+        // At zero an instrument at an unknown place would be wrong by all of its distance.
         let stays = place.class == Class::Frame;
         if !stays {
             terms[place.term].coefficients[place.coefficient] = 0.0;
@@ -205,7 +204,7 @@ fn in_order(problem: &Problem, model: &Model) -> Vec<Place> {
         }
         first += term.coefficients.len();
     }
-    // Terms stand in the order of joints, setups and targets already.
+    // Terms are in the order of joints, setups and targets already.
     all.sort_by_key(|place| place.class);
     all
 }
@@ -233,7 +232,7 @@ pub(super) fn columns(problem: &Problem, model: &Model) -> DMatrix<f64> {
     rows
 }
 
-/// What the session states of its targets' places, as rows of their own.
+/// The stated places of the targets, as separate rows.
 fn add_targets(problem: &Problem, model: &Model, rows: &mut DMatrix<f64>) {
     let Some(sigma) = problem.priors.targets_mm else {
         return;
@@ -256,7 +255,7 @@ fn add_targets(problem: &Problem, model: &Model, rows: &mut DMatrix<f64>) {
     let first = rows.nrows();
     let wider = std::mem::replace(rows, DMatrix::zeros(0, 0));
     *rows = wider.insert_rows(first, own.len(), 0.0);
-    // However little is stated, it tells what the targets share from what each has for itself.
+    // However little is stated, it separates what the targets share from what each has on its own.
     let least = MOST_SEEN * (first as f64).sqrt();
     for (row, column) in own.into_iter().enumerate() {
         rows[(first + row, column)] = (noise / sigma).max(least);

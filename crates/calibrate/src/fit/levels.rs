@@ -1,13 +1,11 @@
-//! What each level of correction would bring to a robot with several joints, so that a user sees
-//! what the controller at hand can take:
+//! Levels of correction of a robot with several joints, so that a user sees what the controller at hand can use:
 //!
 //! ```text
 //! zero offsets ⊂ with tool and frame ⊂ with links ⊂ with effects
 //! ```
 //!
-//! Each level is fitted by itself; its errors are those on cells of the workspace that the fit has not
-//! seen. The frame of an instrument that was never aligned belongs to every level: no controller has
-//! to know it.
+//! Each level is fitted on its own; its errors are those on cells of the workspace that the fit has not seen. The
+//! frame of an instrument that was never aligned belongs to every level: no controller has to know it.
 
 pub(crate) use crate::answers::errors::Errors;
 pub use crate::answers::errors::Level;
@@ -23,13 +21,13 @@ use super::solver::solve;
 use super::spread::spread;
 use crate::sessions::cells::{cells, folds_of_groups};
 
-/// Below this number of samples nothing is said about unseen ones.
+/// With fewer samples no error on unseen ones is reported.
 const FEWEST: usize = 12;
 
 /// The levels of an identified model, on the samples of the problem that count.
 pub(crate) fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
     if problem.observed.is_none() && problem.samples() > budget::SAMPLES {
-        // A session of its own: the rows that do not count need not go through every fit.
+        // A separate session: the rows that do not count need not go through every fit.
         let rows = spread(problem.counted(), budget::SAMPLES);
         let session = problem
             .session
@@ -115,9 +113,12 @@ fn models(problem: &Problem, identified: &Model) -> Vec<(Template, Model)> {
 
 fn level(problem: &Problem, fold: &[usize], what: Template, start: &Model) -> Level {
     let solution = solve(problem, start);
-    let left = lengths_mm(problem, &solution.model);
+    let residuals_mm = lengths_mm(problem, &solution.model);
     let used = |i: &usize| problem.used[*i];
-    let own: Vec<f64> = (0..left.len()).filter(used).map(|i| left[i]).collect();
+    let own: Vec<f64> = (0..residuals_mm.len())
+        .filter(used)
+        .map(|i| residuals_mm[i])
+        .collect();
     let enough = own.len() >= FEWEST;
     let unseen = || {
         let mut lengths = Vec::new();
@@ -127,9 +128,9 @@ fn level(problem: &Problem, fold: &[usize], what: Template, start: &Model) -> Le
             let kept = counted.map(|(i, c)| *c && fold[seen.sample_of(i)] != k);
             seen.set_counted(kept.collect());
             let model = solve(&seen, &solution.model).model;
-            let left = lengths_mm(problem, &model);
-            let held_out = (0..left.len()).filter(|i| problem.used[*i] && fold[*i] == k);
-            lengths.extend(held_out.map(|i| left[i]));
+            let residuals_mm = lengths_mm(problem, &model);
+            let held_out = (0..residuals_mm.len()).filter(|i| problem.used[*i] && fold[*i] == k);
+            lengths.extend(held_out.map(|i| residuals_mm[i]));
         }
         Errors::of(lengths)
     };

@@ -1,5 +1,5 @@
-//! How far what is measured moves with the joints: the derivatives of rows by a small turn of each joint, mm for each rad.
-//! A joint that slides counts in units of the robot's reach, so that one number stands for all of them.
+//! Lever arms: the derivatives of rows with respect to a small turn of each joint, mm for each rad. A prismatic joint
+//! counts in units of the robot's reach, so that one number is comparable for all of them.
 
 use nalgebra::DMatrix;
 
@@ -42,14 +42,14 @@ pub(super) fn levers(columns: &DMatrix<f64>, model: &Model) -> DMatrix<f64> {
     own
 }
 
-/// Where a model with moving joints has their coefficients.
+/// The indices of the coefficients of moving joints in a model.
 fn places(model: &Model) -> Vec<usize> {
     let columns = model.columns().enumerate();
     let own = columns.filter(|(_, (t, _))| t.effect.about().id == joint_zero().about().id);
     own.map(|(place, _)| place).collect()
 }
 
-/// How rows move with the joints, one after the other, and the pose of each sample.
+/// The derivatives of rows with respect to the joints, one after the other, and the pose of each sample.
 #[derive(Debug)]
 pub(crate) struct Moves {
     pub(crate) poses: Vec<u32>,
@@ -89,7 +89,7 @@ impl Levers {
         self.joints
     }
 
-    /// How a sample moves along an axis with each joint.
+    /// The move of a sample along an axis with each joint.
     pub(super) fn of(&self, sample: usize, axis: usize) -> &[f64] {
         let at = (3 * sample + axis) * self.joints;
         &self.of_samples[at..at + self.joints]

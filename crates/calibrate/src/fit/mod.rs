@@ -1,4 +1,4 @@
-//! From measured samples to a model: the paper's corrections by region ([`identify_regional`]),
+//! The fit of a model to measured samples: the paper's corrections by region ([`identify_regional`]),
 //! and the exact nonlinear fit ([`identify_exact`]).
 
 #[doc(hidden)]
@@ -59,6 +59,6 @@ pub use crate::answers::noise::{Noise, Slow, StatedNoise};
 pub use adaptive::regions_of;
 pub(crate) use answer::{covariance_of, outliers, parameters_of, report};
 pub use error::IdentifyError;
-pub(crate) use estimator::noise_beside;
+pub(crate) use estimator::noise_given;
 pub use exact::{DEFAULT_EFFECTS, identify_exact, identify_watched};
 pub use regional::identify_regional;

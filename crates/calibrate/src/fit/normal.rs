@@ -11,7 +11,7 @@ use crate::lanes::{LANES, Lanes, Lanes3, TOGETHER};
 use crate::observations::RowBlock;
 use crate::wide::{Loop, wide};
 
-use super::noise::{Noise, Step, carried};
+use super::noise::{Noise, Step, decayed};
 use super::problem::Problem;
 
 #[derive(Debug, Clone)]
@@ -185,20 +185,20 @@ pub(super) struct Whitening {
     slow: [f64; 3],
     tau: f64,
     before: f64,
-    /// The last time between two samples, and what it carries: most are alike.
+    /// The last time between two samples, and its decay: most are alike.
     decay_at_step: (f64, f64),
     variance: [f64; 3],
     /// One for each axis and column, the residual last.
     state: [Vec<f64>; 3],
     step: [[Step; LANES]; 3],
-    /// The last step of each axis, with what it was made of and the variance behind it.
+    /// The last step of each axis, with its decay and the variance behind it.
     last: [LastStep; 3],
     counts: [bool; LANES],
-    /// What went through the filter last, the residual last.
+    /// The last block after the filter, the residual last.
     white: Vec<Lanes>,
 }
 
-/// A step with the carry and the variance that it was made of: along equal steps of time both settle.
+/// A step with the decay and the variance of which it was made: along equal steps of time both settle.
 #[derive(Clone, Copy)]
 struct LastStep {
     decay: f64,
@@ -243,7 +243,7 @@ impl Whitening {
             let time = problem.time(start + i);
             let apart = time - self.before;
             if apart != self.decay_at_step.0 {
-                self.decay_at_step = (apart, carried(apart, self.tau));
+                self.decay_at_step = (apart, decayed(apart, self.tau));
             }
             let decay = self.decay_at_step.1;
             self.before = time;
@@ -287,9 +287,9 @@ impl Whitening {
             for i in (0..len).filter(|i| self.counts[*i]) {
                 let step = &self.step[axis][i];
                 for c in 0..TOGETHER {
-                    let carried = step.decay * state[c];
-                    let new = own[c][i] - carried;
-                    state[c] = carried + step.gain * new;
+                    let decayed = step.decay * state[c];
+                    let new = own[c][i] - decayed;
+                    state[c] = decayed + step.gain * new;
                     white[c][i] = new * step.inverse_spread;
                 }
             }

@@ -1,5 +1,4 @@
-//! What the fit of other measurements than points needs beside that of points: where it begins, what
-//! the measurements leave open, and their rows.
+//! The fit of other measurements than points: starting values, what the measurements do not determine, and their rows.
 
 use nalgebra::DMatrix;
 
@@ -31,8 +30,8 @@ pub(super) fn terms(session: &Session, layer: &Layer) -> Vec<Term> {
     terms
 }
 
-/// The same beside effects that the user chose: frames only where the session has setups.
-pub(crate) fn terms_beside(session: &Session, layer: &Layer) -> Vec<Term> {
+/// The same with effects that the user chose: frames only where the session has setups.
+pub(crate) fn extra_terms(session: &Session, layer: &Layer) -> Vec<Term> {
     let nominal = Model::nominal(session.robot.clone());
     let mut terms = Vec::new();
     if session.samples.setups.is_some() || gauge::open(layer).base {
@@ -51,9 +50,9 @@ fn frames(session: &Session, layer: &Layer, nominal: &Model) -> Vec<Term> {
     })
 }
 
-/// The nominal robot beside what its measurements refer to: of a model the places, and the frames of
-/// setups, whose place a session with setups does not say. Without setups no frame is fitted to the nominal
-/// robot, and a place that is not known is where it seems to be from there, not from the frame of the model.
+/// The nominal robot, with the places that its measurements refer to taken from a model, and the frames of setups,
+/// whose place a session with setups does not state. Without setups no frame is fitted to the nominal robot, and a
+/// place that is not known is where it seems to be from there, not from the frame of the model.
 pub(crate) fn nominal_of(session: &Session, layer: Option<&Layer>, model: &Model) -> Model {
     let has_setups = session.samples.setups.is_some();
     let of_setup = |term: &Term| has_setups && term.effect.about().setting == Setting::Setup;
@@ -65,7 +64,7 @@ pub(crate) fn nominal_of(session: &Session, layer: Option<&Layer>, model: &Model
     model.without(|term| PlaceKind::of(term).is_none() && !of_setup(term))
 }
 
-/// What the kinds of measurement leave open whatever the poses are; nothing for plain points.
+/// Combinations that the kinds of measurement do not determine whatever the poses are; none for plain points.
 pub(super) fn open(problem: &Problem) -> Open {
     problem
         .observed
@@ -74,7 +73,7 @@ pub(super) fn open(problem: &Problem) -> Open {
         .unwrap_or_default()
 }
 
-/// Holds a size that no measurement shows by the priors, and says so.
+/// Holds a size that no measurement shows by the priors, and reports it.
 pub(super) fn hold_size(
     problem: &mut Problem,
     model: &Model,
@@ -108,7 +107,7 @@ pub(super) fn hold_size(
     model
 }
 
-/// The model with its frames held where the base is open, and that in words: the places carry it.
+/// The model with its frames held where the base is open, and a description of that: the places contain it.
 pub(super) fn with_base_held(
     problem: &Problem,
     model: Model,
@@ -149,7 +148,7 @@ fn with_length_held(model: &Model) -> Model {
     })
 }
 
-/// The size that the priors hold, as a row beside the columns of a Jacobian in mm.
+/// The size that the priors hold, as a row in addition to the Jacobian in mm.
 pub(super) fn add_size(problem: &Problem, model: &Model, reach_mm: f64, rows: &mut DMatrix<f64>) {
     // Where the base is open the rows are those of points, which show lengths.
     if problem.priors.size.is_empty() || open(problem).base {
@@ -164,9 +163,9 @@ pub(super) fn add_size(problem: &Problem, model: &Model, reach_mm: f64, rows: &m
     }
 }
 
-/// The Jacobian of the observations that count, or of about `most` of them. Where the base is open, a
-/// column of the robot is seen beside any motion of the whole: then the targets themselves stand for
-/// what unknown places measure of them, and the frame for the places.
+/// The Jacobian of the observations that count, or of about `most` of them. Where the base is open, a column of the
+/// robot is only determined up to a motion of the whole: then the targets themselves replace what unknown places
+/// measure of them, and the frame the places.
 pub(super) fn columns(layer: &Layer, model: &Model, most: usize) -> DMatrix<f64> {
     let open = gauge::open(layer).base;
     let mut kept = vec![false; layer.used.len()];

@@ -1,17 +1,17 @@
-//! How wide the weak priors of a robot's zero offsets and links, and of its tool and frame, are: as wide as its own are
-//! large.
+//! The widths of the weak priors of a robot's zero offsets and links, and of its tool and frame, estimated from its
+//! own (empirical Bayes).
 //!
-//! A prior says what any robot may be off by. Of one that its maker has calibrated all of it is smaller by tens, and few
-//! poses close to each other, fitted with the wide prior, turn noise into angles that lead far off elsewhere, and
-//! whatever they show into a move of the tool. So the widths are shrunk by the factor of the largest marginal likelihood
-//! (empirical Bayes), over the equations at a
-//! solution x, with N, g and the cost e² of the samples alone and P(c) = s² diag(1/(c σ)²):
+//! A prior states what any robot may be off by. Of one that its maker has calibrated all of it is smaller by tens, and
+//! few poses close to each other, fitted with the wide prior, turn noise into angles that lead far off elsewhere, and
+//! any error into a move of the tool. So the widths are shrunk by the factor of the largest marginal likelihood
+//! (empirical Bayes), over the equations at a solution x, with N, g and the cost e² of the samples alone and P(c) = s²
+//! diag(1/(c σ)²):
 //!
 //! ```text
 //! 2 ln L(c, s²) = (hᵀ A⁻¹ h − xᵀ P x − e²)/s² − ln det A + ln det P − m ln s²,   A = N + P,   h = g − P x
 //! ```
 //!
-//! With many poses the samples say everything, whatever the width is.
+//! With many poses the samples determine everything, whatever the width is.
 //!
 //! Source: D. J. C. `MacKay`, *Bayesian interpolation*, Neural Computation 4, 1992.
 
@@ -22,18 +22,19 @@ use crate::model::Model;
 use super::normal::Normal;
 use super::priors::{Priors, group};
 
-/// Factors that are tried, each half of the one before it, of zero offsets down to 1.6 mrad and of links down to what
-/// machining leaves of any robot: 0.13 mm, 0.25 mrad.
+/// Factors that are tried, each half of the one before it, of zero offsets down to 1.6 mrad and of links down to the
+/// machining error of any robot: 0.13 mm, 0.25 mrad.
 const HALVINGS: [&[u8]; 2] = [&[0, 1, 2, 3, 4, 5], &[0, 1, 2, 3]];
-/// Of tool and frame, each a quarter of the one before it, down to 0.8 mm of a tool. A fit has the widest: its samples say
-/// where the tool is, and a narrower one would leave them what the tool has. What no sample shows is shared out by all.
+/// Of tool and frame, each a quarter of the one before it, down to 0.8 mm of a tool. A fit has the widest: its samples
+/// determine the tool, and a narrower prior would attribute a part of it to the rest. What no sample shows is averaged
+/// over all of them.
 const OF_SET_UP: &[u8] = &[0, 2, 4, 6];
-/// What has a smaller share of all that are possible changes nothing that is said.
+/// Alternatives with a smaller weight change no figure that is reported.
 const LEAST_SHARE: f64 = 1e-3;
-/// Variances that are tried beside the one of a fit, each twice the one before it.
+/// Variances that are tried besides the one of a fit, each twice the one before it.
 const DOUBLINGS: std::ops::RangeInclusive<i8> = -8..=4;
 
-/// What is known of a robot's zero offsets, links and set-up, and of the noise.
+/// The widths of the priors of a robot's zero offsets, links and set-up, and the noise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Widths {
     /// Logarithms of the factors, of zero offsets, of links, and of tool and frame.
@@ -51,7 +52,7 @@ pub(super) fn likeliest(
 ) -> Option<Widths> {
     let mut best: Option<(Widths, f64)> = None;
     for (widths, likelihood) in likelihoods(priors, model, normal, rows, &[0])? {
-        // The wider one, where nothing tells them apart.
+        // The wider one, where the samples do not distinguish them.
         if best.is_none_or(|best| likelihood > best.1 + 1e-6) {
             best = Some((widths, likelihood));
         }
@@ -59,8 +60,8 @@ pub(super) fn likeliest(
     best.map(|best| best.0)
 }
 
-/// All that are possible, each with its share, by the same likelihood: few poses leave the width itself open, and what
-/// is unsure is unsure of that as well.
+/// All that are possible, each with its weight, by the same likelihood: few poses leave the width itself uncertain,
+/// and that adds to the uncertainty of the rest.
 pub(super) fn possible(
     priors: &Priors,
     model: &Model,
@@ -150,7 +151,7 @@ fn coefficients(priors: &Priors, model: &Model) -> Vec<Coefficient> {
         .collect()
 }
 
-/// The equations of the samples alone for what has a prior, whatever of the rest fits best.
+/// The equations of the samples alone for what has a prior, with the rest eliminated.
 struct Samples {
     gram: DMatrix<f64>,
     gradient: DVector<f64>,
@@ -264,11 +265,11 @@ mod tests {
                 group: group[column],
             })
             .collect();
-        let left = &measured - &jacobian * &value;
+        let residual = &measured - &jacobian * &value;
         let mut normal = Normal::new(4);
         normal.gram = jacobian.tr_mul(&jacobian);
-        normal.gradient = jacobian.tr_mul(&left);
-        normal.cost = left.norm_squared();
+        normal.gradient = jacobian.tr_mul(&residual);
+        normal.cost = residual.norm_squared();
         for k in 0..4 {
             normal.gram[(k, k)] += weight[k];
             normal.gradient[k] -= weight[k] * value[k];

@@ -4,12 +4,11 @@
 //! c(x) = Σ rᵀ W r + s² Σ (x_k/σ_k)²
 //! ```
 //!
-//! with s² the variance of a coordinate of weight one. σ are weak expectations
-//! (half a link of 1 mm and 2 mrad is usual), so that many poses say everything and thirty do not
-//! explode. They keep a direction that the samples hardly show where it belongs; a parameter that the
-//! samples cannot tell from others at all is held at zero instead ([`super::base_model`]), so no prior
-//! makes it look determined. Where a target sits in the tool is knowledge of another kind: the
-//! session states it (`targets_sigma_mm`), and it stays when the weak priors are switched off.
+//! with s² the variance of a coordinate of weight one. σ are weak expectations (half a link of 1 mm and 2 mrad is
+//! usual), so that many poses determine everything and thirty do not diverge. They keep a poorly determined direction
+//! near its nominal value; a parameter that is not identifiable at all is held at zero instead
+//! ([`super::base_model`]), so no prior makes it look determined. The place of a target in the tool is knowledge of
+//! another kind: the session states it (`targets_sigma_mm`), and it remains when the weak priors are switched off.
 //!
 //! Source: Tarantola, *Inverse Problem Theory*, 2005, ch. 3; for robots Hollerbach & Wampler, *The
 //! calibration index and taxonomy for robot kinematic calibration methods*, 1996.
@@ -18,7 +17,7 @@ use crate::effects::{Role, Setting, TOOL_POSITION, Term};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 
-/// A prior that is missed by so many σ was wrong, and is let go.
+/// A prior that is missed by so many σ was wrong, and is dropped.
 /// Priors of an arm: tool 50 mm, frame 20 mm and 20 mrad, links 1 mm and 2 mrad, zeros 50 mrad;
 /// `--no-prior` leaves them out.
 pub(crate) const MISSED: f64 = 4.0;
@@ -34,11 +33,11 @@ pub struct Priors {
     pub targets_mm: Option<f64>,
     /// Variance of a coordinate of weight one.
     pub variance: f64,
-    /// How much narrower the weak ones are of this robot's zero offsets, of its links, and of what was set up (tool,
-    /// frame), as logarithms ([`super::prior_scale`]).
+    /// The factors by which the weak ones of this robot's zero offsets, of its links, and of its set-up (tool, frame)
+    /// are narrower, as logarithms ([`super::prior_scale`]).
     pub(super) ln_scale: [f64; 3],
-    /// How large everything is, where no measurement shows it: a sum of coefficients that is held at
-    /// zero ([`crate::observations::gauge`]).
+    /// The size of everything, where no measurement shows it: a sum of coefficients that is held at zero
+    /// ([`crate::observations::gauge`]).
     pub(super) size: Vec<(Key, f64)>,
     /// Those that were let go: effect, joint, setting, coefficient.
     pub(super) freed: Vec<Key>,
@@ -58,7 +57,7 @@ impl Priors {
         }
     }
 
-    /// Standard deviation of a coefficient, inner units; `None` where nothing is known of it.
+    /// Standard deviation of a coefficient's prior, inner units; `None` without a prior.
     pub fn sigma(&self, model: &Model, term: &Term, coefficient: usize) -> Option<f64> {
         if !self.holds(term, coefficient) {
             return None;
@@ -79,7 +78,7 @@ impl Priors {
         })
     }
 
-    /// How many of a model's coefficients have a prior of this robot's own width.
+    /// The number of a model's coefficients with a prior of this robot's own width.
     pub(super) fn of_its_own(&self, model: &Model) -> usize {
         let is_own = |(term, k): &(&Term, usize)| {
             let own = group(term);
@@ -105,7 +104,7 @@ impl Priors {
         }
     }
 
-    /// Whether nothing of a coefficient was let go.
+    /// Whether no prior of a coefficient was dropped.
     pub(super) fn holds(&self, term: &Term, coefficient: usize) -> bool {
         !self.freed.contains(&key(term, coefficient))
     }
@@ -128,7 +127,7 @@ impl Priors {
         self.freed.extend(own);
     }
 
-    /// The weights of the size beside the coefficients of a model; nothing of what is held.
+    /// The weights of the size for the coefficients of a model; zero for what is held.
     pub(super) fn size_row(&self, model: &Model) -> Vec<f64> {
         let mut row = Vec::new();
         for term in model.terms() {
@@ -141,8 +140,8 @@ impl Priors {
         row
     }
 
-    /// How far each coefficient of a model is from zero as a rule, whether or not the weak priors
-    /// hold; of a frame only where it is `aligned`.
+    /// The usual size of each coefficient of a model, whether or not the weak priors hold; of a frame only where it is
+    /// `aligned`.
     pub(super) fn usual(&self, model: &Model, aligned: bool) -> Vec<Option<f64>> {
         let all = Self {
             weak: true,
@@ -160,7 +159,7 @@ impl Priors {
             .collect()
     }
 
-    /// Those that a fit has missed by far.
+    /// Those that a fit has missed by many σ.
     pub(super) fn missed(&self, model: &Model) -> Vec<(Term, usize)> {
         let mut missed = Vec::new();
         let usual = self.of_any_robot();
@@ -229,7 +228,7 @@ mod tests {
         })
     }
 
-    /// Cost, its gradient and its curvature: of a quadratic function differences say all three exactly.
+    /// Cost, its gradient and its curvature: of a quadratic function differences give all three exactly.
     #[test]
     fn the_rows_of_the_priors_are_the_derivatives_of_their_cost() {
         let values = [0.3, -0.2, 0.07, 0.5, -0.9];

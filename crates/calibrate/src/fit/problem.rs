@@ -33,25 +33,25 @@ pub struct Problem<'a> {
     pub used: Vec<bool>,
     /// 1/σ² of each axis, or 1; 0 for an axis that was not measured.
     pub axis_weights: [f64; 3],
-    /// Columns that are fitted beside the model's: what no name explains. One value for each
-    /// sample along x, y, z, mm per unit.
+    /// Extra columns that are fitted with the model: what no name explains. One value for each sample along x, y, z,
+    /// mm per unit.
     pub extra_columns: Vec<[Vec<f64>; 3]>,
     /// Whether the session has times, and not the same for every sample.
     has_clock: bool,
     /// Whether the rows of the file are not in the order of that clock.
     out_of_time_order: bool,
-    /// What the digits of the coordinates add to the noise of each axis, mm: d/√12.
+    /// The noise of each axis by the rounding of the coordinates, mm: d/√12.
     pub(super) digits_mm: [f64; 3],
     /// The noise, where it is known; its white part is in `axis_weights` as well.
     pub noise: Option<Noise>,
-    /// How samples move with the joints, where the noise has what these do not repeat.
+    /// The derivatives of samples with respect to the joints, where the noise includes their repeatability.
     pub(super) levers: Option<Arc<Levers>>,
-    /// What is known of the coefficients beforehand; nothing of a robot with a single joint.
+    /// The priors of the coefficients; none for a robot with a single joint.
     pub priors: Priors,
     /// Whether anybody still wants the answer.
     pub watch: Watch<'a>,
-    /// What was measured, where it is more than plain points: then its rows are fitted, in units of
-    /// its `unit_mm`, and the axes of the samples have no say.
+    /// What was measured, where it is more than plain points: then its rows are fitted, in units of its `unit_mm`, and
+    /// the axes of the samples are not used.
     pub observed: Option<Layer<'a>>,
 }
 
@@ -60,7 +60,7 @@ pub struct Problem<'a> {
 pub struct Watch<'a>(Option<&'a dyn Fn() -> bool>);
 
 impl<'a> Watch<'a> {
-    /// Goes on while `go_on` says so.
+    /// Goes on while `go_on` returns true.
     pub fn by(go_on: &'a dyn Fn() -> bool) -> Self {
         Self(Some(go_on))
     }
@@ -81,8 +81,8 @@ impl std::fmt::Debug for Watch<'_> {
     }
 }
 
-/// A coordinate that rounding has made the same in all samples of a target tells nothing below its digit, and
-/// its noise cannot be seen: it has no weight.
+/// A coordinate that rounding has made the same in all samples of a target has no information below its digit, and its
+/// noise cannot be estimated: it has no weight.
 fn without_constant(session: &Session, digits_mm: &[f64; 3], weights: [f64; 3]) -> [f64; 3] {
     let samples = &session.samples;
     let stated = match session.instrument.sigma_mm {
@@ -138,7 +138,7 @@ impl<'a> Problem<'a> {
         let kept = |i: usize| !held_out.is_some_and(|held_out| held_out[i]);
         let fit: Vec<bool> = (0..usable.len()).map(|i| usable[i] && kept(i)).collect();
         if let (Some(_), Some(setups)) = (held_out, &session.samples.setups) {
-            // Of a setup that is held out as a whole nothing says where the instrument stood.
+            // Of a setup that is held out as a whole nothing determines where the instrument was.
             let seen = setups.seen_in((0..fit.len()).filter(|i| fit[*i]));
             for (sample, usable) in usable.iter_mut().enumerate() {
                 *usable &= setups.is_seen(&seen, sample);
@@ -196,7 +196,7 @@ impl<'a> Problem<'a> {
         problem
     }
 
-    /// What counts one by one: every sample of plain points, else every observation.
+    /// The units that count: every sample of plain points, else every observation.
     pub fn counted(&self) -> &[bool] {
         self.observed.as_ref().map_or(&self.used, |l| &l.used)
     }
@@ -251,7 +251,7 @@ impl<'a> Problem<'a> {
         'a: 'b,
     {
         let marks = |all: &[bool]| rows.iter().map(|row| all[*row]).collect();
-        let beside = |column: &[Vec<f64>; 3]| {
+        let selected = |column: &[Vec<f64>; 3]| {
             column
                 .each_ref()
                 .map(|axis| rows.iter().map(|row| axis[*row]).collect())
@@ -263,7 +263,7 @@ impl<'a> Problem<'a> {
             fit: marks(&self.fit),
             used: marks(&self.used),
             axis_weights: self.axis_weights,
-            extra_columns: self.extra_columns.iter().map(beside).collect(),
+            extra_columns: self.extra_columns.iter().map(selected).collect(),
             has_clock: self.has_clock,
             out_of_time_order: self.out_of_time_order,
             digits_mm: self.digits_mm,
@@ -304,7 +304,7 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// Takes samples into the fit again, those that stand apart in the largest deviation only.
+    /// Uses samples in the fit again, except outliers in the largest deviation.
     pub fn take_in(&mut self, samples: &[bool], apart: impl Fn(&Self) -> Vec<bool>) {
         for (fit, taken) in self.fit.iter_mut().zip(samples) {
             *fit |= taken;
@@ -361,7 +361,7 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// Takes the noise as known; how far joints move what is measured is as a model has it.
+    /// Takes the noise as known; the derivatives of the rows with respect to the joints are those of a model.
     pub fn set_noise(&mut self, noise: &Noise, model: &Model) {
         if noise.joints_rad > 0.0 && self.levers.is_none() {
             self.levers = Some(Arc::new(Levers::new(&self.inputs, model)));
@@ -457,7 +457,7 @@ mod tests {
             session.samples.z_mm.as_mut().unwrap()[sample] = z;
             assert_eq!(unusable(&session, sample), expected, "{sample}");
         }
-        // In the plane the third coordinate has no say.
+        // In the plane the third coordinate is not used.
         session.samples.z_mm = None;
         assert_eq!(unusable(&session, 3), Some(UnusableReason::LostReflector));
         session.samples.q[0][1] = f64::NAN;
@@ -496,10 +496,10 @@ mod tests {
             let z = session.samples.z_mm.as_ref().unwrap()[i];
             let measured = [session.samples.x_mm[i], session.samples.y_mm[i], z];
             for axis in 0..3 {
-                let left = measured[axis]
+                let residual = measured[axis]
                     - predicted.get(i)[axis]
                     - found.extra_coefficients[0] * wave[axis][i];
-                along += left * wave[axis][i];
+                along += residual * wave[axis][i];
                 square += wave[axis][i].powi(2);
             }
         }

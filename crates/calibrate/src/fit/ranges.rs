@@ -1,4 +1,4 @@
-//! Poses all over the joint ranges, where a model has to hold: spread evenly over the joint limits (an additive
+//! Poses all over the joint ranges, where a model has to be valid: spread evenly over the joint limits (an additive
 //! recurrence, Roberts 2018), where there are none over the values that were measured.
 
 use crate::budget;

@@ -93,7 +93,7 @@ pub fn identify_regional(
     let held_out = session.samples.held_out.as_deref();
     let mut notes = notes(session, &regions, &sums, outside);
     if *choice == RegionChoice::Adaptive {
-        notes.push(beside_uniform(
+        notes.push(compared_with_uniform(
             session,
             regions.len(),
             gap.after.rms_mm,
@@ -168,11 +168,11 @@ fn region_result(
 ) -> RegionResult {
     let (theta_rad, l1_mm) = sums.correction();
     let n = sums.samples as f64;
-    let left = sums.square - n * l1_mm * l1_mm - sums.l1_l1 * theta_rad * theta_rad;
+    let rss = sums.square - n * l1_mm * l1_mm - sums.l1_l1 * theta_rad * theta_rad;
     let freedom = (2 * sums.samples).saturating_sub(2);
     let half = |scale: f64| {
         (freedom > 0).then(|| {
-            let variance = left.max(0.0) / freedom as f64 / scale;
+            let variance = rss.max(0.0) / freedom as f64 / scale;
             half_width_factor(freedom) * variance.sqrt()
         })
     };
@@ -199,8 +199,8 @@ fn region_result(
     }
 }
 
-/// What as many uniform regions would leave.
-fn beside_uniform(
+/// The residual of as many uniform regions, in words.
+fn compared_with_uniform(
     session: &Session,
     number: usize,
     adaptive_mm: f64,
@@ -300,14 +300,14 @@ mod tests {
                 let b = DVector::from_fn(2 * n, |k, _| rows[k / 2][k % 2]);
                 let inverse = (a.transpose() * &a).try_inverse().unwrap();
                 let expected = &inverse * a.transpose() * &b;
-                let left = &b - &a * &expected;
+                let residual = &b - &a * &expected;
                 let freedom = 2.0 * n as f64 - 2.0;
                 let t = StudentsT::new(0.0, 1.0, freedom)
                     .unwrap()
                     .inverse_cdf(0.975);
                 let values = [region.correction.theta_rad, region.correction.l1_mm];
                 for (k, found) in [region.theta_ci95, region.l1_ci95].into_iter().enumerate() {
-                    let half = t * (inverse[(k, k)] * left.norm_squared() / freedom).sqrt();
+                    let half = t * (inverse[(k, k)] * residual.norm_squared() / freedom).sqrt();
                     let [low, high] = found.unwrap();
                     assert!(
                         (values[k] - expected[k]).abs() < 1e-9 * expected[k].abs().max(1e-3),
@@ -322,8 +322,8 @@ mod tests {
                 assert_eq!(region.correction.samples, n);
                 let rms = |v: &DVector<f64>| (v.norm_squared() / n as f64).sqrt();
                 assert!((region.rms_before_mm - rms(&b)).abs() < 1e-9);
-                assert!((region.rms_after_mm - rms(&left)).abs() < 1e-9);
-                seen = (seen.0 + left.norm_squared(), seen.1 + n);
+                assert!((region.rms_after_mm - rms(&residual)).abs() < 1e-9);
+                seen = (seen.0 + residual.norm_squared(), seen.1 + n);
                 for [dx, dy, l1] in left_out.iter().map(off) {
                     unseen.0 += (dx - expected[1]).powi(2) + (dy - l1 * expected[0]).powi(2);
                     unseen.1 += 1;

@@ -1,6 +1,6 @@
-//! Rows of a regression: one for each measured coordinate of the samples that count, axis by axis,
-//! within an axis in measuring order. Where other things than plain points were measured, a row of
-//! observations ([`crate::observations::rows`]) stands for a coordinate of samples.
+//! Rows of a regression: one for each measured coordinate of the samples that count, axis by axis, within an axis in
+//! measuring order. Where other things than plain points were measured, rows of observations
+//! ([`crate::observations::rows`]) replace the coordinates of samples.
 
 use std::sync::Arc;
 
@@ -15,8 +15,8 @@ use super::noise::Noise;
 use super::priors::Priors;
 use super::problem::Problem;
 
-/// How well a size that no measurement shows is held, as a ratio: far better than the samples show
-/// it, and no better than a basis can carry.
+/// The standard deviation of a size that no measurement shows, as a ratio: far smaller than the samples show it, and
+/// no smaller than a basis can represent.
 pub(super) const SIZE: f64 = 1e-4;
 
 /// Which samples and axes have rows.
@@ -33,13 +33,13 @@ pub struct Rows<'a> {
     /// Standard deviation of what rounding to the digit of each coordinate adds, mm.
     pub digits_mm: [f64; 3],
     measured_mm: Vec<Vec<f64>>,
-    /// How rows move with the joints, where a model has shown it.
+    /// The derivatives of rows with respect to the joints, where a model has been evaluated.
     moves: Option<Arc<Moves>>,
     observed: Option<ObservedRows<'a>>,
 }
 
 impl<'a> Rows<'a> {
-    /// What counts of a problem.
+    /// The rows of a problem that count.
     pub fn of(problem: &Problem<'a>) -> Self {
         if let Some(layer) = &problem.observed {
             let samples: Vec<usize> = (0..layer.used.len()).filter(|i| layer.used[*i]).collect();
@@ -116,13 +116,13 @@ impl<'a> Rows<'a> {
         self
     }
 
-    /// The pose of each sample, and how rows move with the joints; `None` where no model has shown it, or of a single joint
-    /// that was at every sample elsewhere: there that is noise along one axis.
+    /// The pose of each sample, and the derivatives of the rows with respect to the joints; `None` where no model has
+    /// been evaluated, or of a single joint that was at every sample elsewhere: there that is noise along one axis.
     pub(super) fn moves(&self) -> Option<&Moves> {
         self.moves.as_deref()
     }
 
-    /// RMS length of what the joints do not repeat by a noise, mm; `None` where it has none of it.
+    /// RMS length of the error of repeatability by a noise, mm; `None` where it has none.
     pub(crate) fn unrepeated_mm(&self, noise: &Noise) -> Option<f64> {
         let levers = &self.moves().filter(|_| noise.joints_rad > 0.0)?.levers;
         let each = levers.row_iter().enumerate();
@@ -148,7 +148,7 @@ impl<'a> Rows<'a> {
         self.observed.as_ref().is_none_or(|rows| rows.has(row))
     }
 
-    /// mm of one unit of a row; zero where another one stands for the length of its sample.
+    /// mm of one unit of a row; zero where another row gives the length of its sample.
     pub fn mm(&self, row: usize) -> f64 {
         self.observed.as_ref().map_or(1.0, |rows| rows.mm(row))
     }
@@ -171,15 +171,14 @@ impl<'a> Rows<'a> {
         (square / self.lengths().max(1) as f64).sqrt()
     }
 
-    /// Root mean square length of what a noise alone leaves where other things than plain points
-    /// were measured, mm.
+    /// RMS length of the residuals by noise alone where other things than plain points were measured, mm.
     pub fn noise_mm(&self, noise: &Noise) -> Option<f64> {
         let rows = self.observed.as_ref()?;
         Some(rows.noise_mm(noise.sigma_mm[0]))
     }
 
-    /// What is known of the places and sizes of a model besides, in units of σ: distances between
-    /// sockets, and an overall size that no measurement shows.
+    /// Priors of the places and sizes of a model, in units of σ: distances between sockets, and an overall size that
+    /// no measurement shows.
     pub fn prior_rows(&self, model: &Model, priors: &Priors) -> (DVector<f64>, DMatrix<f64>) {
         let Some(rows) = &self.observed else {
             return (DVector::zeros(0), DMatrix::zeros(0, 0));
@@ -188,16 +187,16 @@ impl<'a> Rows<'a> {
         if !priors.size.is_empty() {
             let last = residual.len();
             let size = DVector::from_vec(priors.size_row(model)) / SIZE;
-            let left = -size.dot(&DVector::from_vec(model.coefficients()));
-            residual = residual.insert_row(last, left);
+            let prior_residual = -size.dot(&DVector::from_vec(model.coefficients()));
+            residual = residual.insert_row(last, prior_residual);
             columns = columns.insert_row(last, 0.0);
             columns.row_mut(last).copy_from(&size.transpose());
         }
         (residual, columns)
     }
 
-    /// The same as [`extract`](Self::extract), with what is known besides in rows behind: of sockets
-    /// and touches a robot that shrinks would always fit better.
+    /// The same as [`extract`](Self::extract), with the rows of those priors behind: of sockets and touches a robot
+    /// that shrinks would always fit better.
     pub fn extract_with_known(
         &self,
         model: &Model,
@@ -208,11 +207,13 @@ impl<'a> Rows<'a> {
             return (residual, columns);
         };
         let unit = rows.layer().unit_mm;
-        let (left, known) = self.prior_rows(model, priors);
-        let (m, more) = (self.len(), left.len());
+        let (prior_residual, known) = self.prior_rows(model, priors);
+        let (m, more) = (self.len(), prior_residual.len());
         let mut residual = residual.resize_vertically(m + more, 0.0);
         let mut columns = columns.resize_vertically(m + more, 0.0);
-        residual.rows_mut(m, more).copy_from(&(left * unit));
+        residual
+            .rows_mut(m, more)
+            .copy_from(&(prior_residual * unit));
         columns.rows_mut(m, more).copy_from(&(known * unit));
         (residual, columns)
     }
@@ -276,7 +277,7 @@ impl<'a> Rows<'a> {
         (0..self.samples.len()).map(|i| predicted.get(i)).collect()
     }
 
-    /// What the rows show of targets that are elsewhere, each by so many mm along x, y, z.
+    /// The change of the rows by displaced targets, each by so many mm along x, y, z.
     pub fn displaced(&self, model: &Model, by: impl Fn(usize) -> [f64; 3]) -> DVector<f64> {
         match &self.observed {
             Some(rows) => rows.displaced(model, by),

@@ -161,7 +161,7 @@ fn score(problem: &Problem, base: &Model, term: &Term, settings: &[f64]) -> Vec<
         .collect()
 }
 
-/// How much the cost would fall with the candidate's columns beside the base's.
+/// How much the cost would fall with the candidate's columns added to the base's.
 fn gain(normal: &Normal, base: &[usize], own: &[usize]) -> f64 {
     let lowered = |columns: &[usize]| {
         let gram = normal.gram.select_rows(columns).select_columns(columns);

@@ -4,9 +4,9 @@
 //! (D⁻¹ G D⁻¹ + λ 1) D δ = D⁻¹ g,   D = diag(√G_kk)
 //! ```
 //!
-//! (Levenberg 1944, Marquardt 1963; scaling as in Moré 1978). The damped step is solved in the
-//! eigenbasis of the scaled Gram matrix, whose small eigenvalues tell what cannot be determined:
-//! along them the step is zero, so a deficient problem still gets the smallest answer that fits.
+//! (Levenberg 1944, Marquardt 1963; scaling as in Moré 1978). The damped step is solved in the eigenbasis of the
+//! scaled Gram matrix, whose small eigenvalues show what is not determined: along them the step is zero, so a
+//! deficient problem still gets the smallest solution that fits.
 //!
 //! A long session is solved on evenly spaced blocks first. One pass over all samples from there
 //! is as good as many from afar, and a last pass with the same Gram matrix polishes it.
@@ -63,7 +63,7 @@ impl Stopped {
 pub struct Solution {
     /// The model with the coefficients found.
     pub model: Model,
-    /// Coefficients of the columns beside the model.
+    /// Coefficients of the extra columns.
     pub extra_coefficients: Vec<f64>,
     /// The Gram matrix there, taken apart.
     pub spectrum: Spectrum,
@@ -159,11 +159,11 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
     (solution, model)
 }
 
-/// Where the solver is.
+/// The state of the solver.
 #[derive(Debug, Clone)]
 struct State {
     model: Model,
-    /// Coefficients of the columns beside the model.
+    /// Coefficients of the extra columns.
     extra_coefficients: Vec<f64>,
 }
 
@@ -181,7 +181,7 @@ fn polish(problem: &Problem, near: &State, blocks: &[usize], passes: usize) -> S
     let model = moved(near, &step);
     let last = sum(problem, &model, blocks, Sums::Gradient);
     if last.cost > normal.cost * (1.0 + rounding::COMPUTED) {
-        // The blocks that were left out hold something that the coarse fit knows nothing of.
+        // The blocks that were left out contain something that the coarse fit does not.
         return descend(problem, near, blocks).0;
     }
     let correction = spectrum.step(&last.gradient, 0.0);
@@ -227,7 +227,7 @@ fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal
                 &joined
             };
             if let Some(unrepeated) = &mut unrepeated {
-                normal.add_beside_joints(problem, start, block, sums, unrepeated);
+                normal.add_with_joint_noise(problem, start, block, sums, unrepeated);
             } else if let Some(whitening) = &mut whitening {
                 normal.add_whitened(problem, start, block, sums, whitening);
             } else {
@@ -239,9 +239,9 @@ fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal
     normal
 }
 
-/// The least rise of the cost by which samples tell a coefficient: that of a move by two standard deviations, 2².
-/// What rises by less over the whole range that makes sense is not determined.
-const LEAST_TOLD: f64 = 4.0;
+/// The least rise of the cost by which samples determine a coefficient: that of a move by two standard deviations, 2².
+/// What rises by less over the whole plausible range is not determined.
+const LEAST_RISE: f64 = 4.0;
 
 /// The spectrum of a problem with another noise at a solution, the cost there, and the step to the
 /// solution under that noise.
@@ -253,11 +253,11 @@ pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, 
     (spectrum, normal.cost, step)
 }
 
-/// The same coefficients as a solution of another problem; columns beside the model that only one of them has count nothing.
+/// The same coefficients as a solution of another problem; extra columns that only one of them has are zero.
 pub(crate) fn solution_at(problem: &Problem, solution: &Solution) -> Solution {
     let mut there = solution.clone();
-    let beside = problem.extra_columns.len();
-    there.extra_coefficients.resize(beside, 0.0);
+    let extra = problem.extra_columns.len();
+    there.extra_coefficients.resize(extra, 0.0);
     let (spectrum, cost, _) = spectrum_at(problem, &there);
     Solution {
         spectrum,
@@ -266,7 +266,7 @@ pub(crate) fn solution_at(problem: &Problem, solution: &Solution) -> Solution {
     }
 }
 
-/// The covariance of a model's coefficients where it fits a problem: what no sample determines has none.
+/// The covariance of a model's coefficients where it fits a problem: zero of what no sample determines.
 pub(crate) fn covariance_at(problem: &Problem, model: &Model) -> DMatrix<f64> {
     let state = State {
         model: model.clone(),
@@ -295,13 +295,13 @@ fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
     Spectrum::of_model(&normal.gram, &state.model).within(&reaches, least)
 }
 
-/// What solves for the steps from a state.
+/// The factorisation for the steps from a state.
 fn steps_at(problem: &Problem, normal: &Normal, state: &State) -> StepSolver {
     let (reaches, least) = limits_of_determinacy(problem, normal, state);
     StepSolver::of(&normal.gram, &state.model, &reaches, least)
 }
 
-/// How far it makes sense to go along each coefficient, and by how much the cost has to rise there.
+/// The plausible range of each coefficient, and by how much the cost has to rise there.
 fn limits_of_determinacy(problem: &Problem, normal: &Normal, state: &State) -> (Vec<f64>, f64) {
     let shapes = std::iter::repeat_n(f64::INFINITY, state.extra_coefficients.len());
     let reaches: Vec<f64> = state
@@ -312,14 +312,14 @@ fn limits_of_determinacy(problem: &Problem, normal: &Normal, state: &State) -> (
         .chain(shapes)
         .collect();
     let least = if problem.noise.is_some() {
-        LEAST_TOLD
+        LEAST_RISE
     } else {
         normal.weight * rounding::WRITTEN * rounding::WRITTEN
     };
     (reaches, least)
 }
 
-/// Puts the columns beside the model behind its own, and what they do into the points.
+/// Appends the extra columns to those of the model, and adds their part to the points.
 fn join(block: &mut Block, problem: &Problem, state: &State, start: usize) {
     for (column, coefficient) in problem.extra_columns.iter().zip(&state.extra_coefficients) {
         let mut own = [[0.0; LANES]; 3];
@@ -333,8 +333,8 @@ fn join(block: &mut Block, problem: &Problem, state: &State, start: usize) {
     }
 }
 
-/// The step of a robot with several joints, shortened so that nothing of its geometry goes farther
-/// at once than a linear step has a meaning. One joint alone needs no such bound.
+/// The step of a robot with several joints, shortened to the range in which the geometry is nearly linear. One joint
+/// alone needs no such bound.
 fn bounded(model: &Model, step: DVector<f64>) -> DVector<f64> {
     if model.robot.joints.len() < 2 {
         return step;
@@ -390,9 +390,8 @@ fn rms(normal: &Normal) -> f64 {
     (normal.cost / normal.weight.max(f64::MIN_POSITIVE)).sqrt()
 }
 
-/// Convergence is quadratic where the residuals vanish and fast where they are small, so a step
-/// that moves the samples by a millionth of the residual is the last. Where nothing is left
-/// the limit is rounding.
+/// Convergence is quadratic where the residuals vanish and fast where they are small, so a step that moves the samples
+/// by a millionth of the residual is the last. Where the residual is zero the limit is rounding.
 fn negligible(step: &DVector<f64>, normal: &Normal) -> bool {
     displacement(step, normal) <= (rounding::WRITTEN * rms(normal)).max(rounding::LAST_BITS)
 }

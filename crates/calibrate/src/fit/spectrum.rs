@@ -1,4 +1,4 @@
-//! The scaled Gram matrix of a fit taken apart: what the samples determine, and the step from it.
+//! The eigenvalues of the scaled Gram matrix of a fit: what the samples determine, and the step from it.
 
 use std::borrow::Cow;
 
@@ -8,7 +8,7 @@ use crate::linear::inverse_of_lower;
 use crate::model::Model;
 use crate::rounding;
 
-/// A direction in the space of coefficients along which the samples say nothing.
+/// A direction in the space of coefficients along which the samples have no information.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NullDirection {
     /// One component for each coefficient, inner units, of arbitrary size.
@@ -23,7 +23,7 @@ pub struct Spectrum {
     vectors: DMatrix<f64>,
     /// Which eigenvectors the samples determine.
     determined: Vec<bool>,
-    /// How far it makes sense to go along each.
+    /// The plausible range of each.
     furthest: Vec<f64>,
     /// Number of coefficients that are held where they are.
     held: usize,
@@ -32,8 +32,8 @@ pub struct Spectrum {
 /// Eigenvalues of the scaled Gram matrix below this are rounding: its entries are sums of products
 /// with a relative error of some 1e-14, and its diagonal is 1.
 const RANK_TOLERANCE: f64 = 1e-11;
-/// What is so small a part of a standard deviation makes it a twentieth larger.
-const BESIDE: f64 = 0.3;
+/// A shift of at most this share of a standard deviation widens it by a twentieth.
+const NEGLIGIBLE: f64 = 0.3;
 
 impl Spectrum {
     /// Takes a Gram matrix apart.
@@ -62,10 +62,9 @@ impl Spectrum {
         }
     }
 
-    /// The same, where a direction counts as determined only if going along it as far as makes any
-    /// sense (`reaches`, one for each coefficient) would raise the cost by at least `least`. A
-    /// column of rounding is no column, and what the samples leave open over its whole range runs
-    /// nowhere.
+    /// The same, where a direction counts as determined only if going along it as far as is plausible (`reaches`, one
+    /// for each coefficient) would raise the cost by at least `least`. A column of rounding counts as zero, and no
+    /// step is taken along what the samples leave undetermined over its whole range.
     #[must_use]
     pub fn within(mut self, reaches: &[f64], least: f64) -> Self {
         for k in 0..self.values.len() {
@@ -116,7 +115,7 @@ impl Spectrum {
     /// Number of independent combinations of coefficients that the samples determine.
     pub fn rank(&self) -> usize {
         let determined = (0..self.values.len()).filter(|k| self.determined(*k));
-        // Beside columns that are not finite even what is held is not determined.
+        // With columns that are not finite even what is held is not determined.
         determined.count().saturating_sub(self.held)
     }
 
@@ -179,9 +178,8 @@ impl Spectrum {
         components[coefficient].abs() * if scale > 0.0 { scale } else { 1.0 }
     }
 
-    /// Whether the samples leave a coefficient open that is known to this standard deviation beside what they leave open:
-    /// a part of it lies in undetermined directions, and going along those as far as makes sense moves it by more than
-    /// its deviation allows for.
+    /// Whether a coefficient with this standard deviation is in fact undetermined: a part of it lies in undetermined
+    /// directions, and going along those as far as is plausible moves it by more than its deviation allows for.
     pub fn is_open(&self, coefficient: usize, deviation: f64) -> bool {
         let undetermined = || (0..self.values.len()).filter(|k| !self.determined(*k));
         let part = |k: usize| self.vectors[(coefficient, k)];
@@ -192,12 +190,12 @@ impl Spectrum {
         let unscale = self.unscale(coefficient);
         let moved = undetermined().map(|k| (part(k) * unscale * self.furthest[k]).powi(2));
         let moved = moved.sum::<f64>().sqrt();
-        moved.is_nan() || moved > BESIDE * deviation
+        moved.is_nan() || moved > NEGLIGIBLE * deviation
     }
 }
 
-/// What a step is taken with: the eigenvectors, or of many coefficients, all determined beyond doubt, a factor that is
-/// found many times faster.
+/// The factorisation for steps: the eigenvectors, or for many coefficients, all clearly determined, a Cholesky factor,
+/// which is many times faster.
 pub(super) enum StepSolver {
     Spectrum(Spectrum),
     Factored(Factored),
@@ -214,7 +212,7 @@ pub(super) struct Factored {
 const MANY_COEFFICIENTS: usize = 128;
 
 impl StepSolver {
-    /// Of the Gram matrix of a model's columns and columns beside it, with what counts as determined
+    /// Of the Gram matrix of a model's columns and extra columns, with what counts as determined
     /// ([`Spectrum::within`]).
     pub(super) fn of(gram: &DMatrix<f64>, model: &Model, reaches: &[f64], least: f64) -> Self {
         let factored = (gram.nrows() >= MANY_COEFFICIENTS)
@@ -241,7 +239,7 @@ impl StepSolver {
 }
 
 impl Factored {
-    /// `None` where a direction may be undetermined, as [`Spectrum::within`] has it.
+    /// `None` where a direction may be undetermined by [`Spectrum::within`].
     fn of(gram: &DMatrix<f64>, model: &Model, reaches: &[f64], least: f64) -> Option<Self> {
         let (gram, held) = without_held(gram, model);
         let (scale, scaled) = scaled(&gram);
@@ -291,7 +289,7 @@ fn scaled(gram: &DMatrix<f64>) -> (DVector<f64>, DMatrix<f64>) {
     (scale, scaled)
 }
 
-/// A Gram matrix in which each coefficient that a model holds is a direction of its own, which takes no step as its
+/// A Gram matrix in which each coefficient that a model holds is a separate direction, which takes no step as its
 /// gradient is zero; and which these are.
 fn without_held<'g>(gram: &'g DMatrix<f64>, model: &Model) -> (Cow<'g, DMatrix<f64>>, Vec<usize>) {
     let columns = model.columns().enumerate();
@@ -311,8 +309,8 @@ mod tests {
     use super::*;
     use crate::fit::example::sweep;
 
-    /// The second column says little that the first does not: how far the second may go is open, and moves the first by
-    /// a thousandth.
+    /// The second column adds little to the first: how far the second may go is undetermined, and moves the first by a
+    /// thousandth.
     #[test]
     fn what_an_open_coefficient_may_do_to_another_decides_whether_that_is_known() {
         let columns = DMatrix::from_row_slice(2, 2, &[1.0, 1e-3, 0.0, 1e-4]);

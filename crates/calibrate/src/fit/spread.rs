@@ -1,4 +1,4 @@
-//! Some of many, spread evenly: the one way in which a long session is thinned.
+//! Some of many, spread evenly: the only way in which a long session is thinned.
 
 use crate::numeric::GOLDEN_RATIO;
 

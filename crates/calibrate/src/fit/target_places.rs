@@ -1,10 +1,10 @@
-//! Which targets are where the session says, as far as a fit in which all places are free tells.
+//! Which targets are where the session states them, as far as a fit in which all places are free determines it.
 //!
-//! Such a fit shows the targets in the tool but for a shift, which is the tool's, and a turn about the last joint's
-//! axis, which is its zero offset. Those are meant that explain most with least: a target that is at its own stated
-//! place needs nothing, one at the stated place of another a wrong name, any other three numbers of its own. Where
-//! several motions explain the targets equally well, as of two targets that disagree, nothing tells where the tool is,
-//! and no answer may look as if something did.
+//! Such a fit determines the targets in the tool but for a shift, which is the tool's, and a turn about the last
+//! joint's axis, which is its zero offset. The motion is chosen that explains most with least: a target at its own
+//! stated place costs nothing, one at the stated place of another is a wrong name, any other costs three numbers.
+//! Where several motions explain the targets equally well, as of two targets that disagree, the tool is not
+//! determined, and the answer must not suggest that it is.
 
 use super::priors::MISSED;
 use crate::odds;
@@ -25,18 +25,18 @@ const MOST_NAMES: usize = 12;
 pub(crate) struct SeenTarget {
     /// At whose stated place it should be.
     pub(crate) of: usize,
-    /// Where it is in the tool, but for the shift that all share, mm.
+    /// Its place in the tool, but for the shift that all share, mm.
     pub(crate) at_mm: Vector3<f64>,
-    /// How far from its stated place it may be, mm.
+    /// The distance from its stated place that is allowed, mm.
     pub(crate) within_mm: f64,
 }
 
-/// What targets say together.
+/// How well the targets agree.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Agreement {
     /// One motion of the tool explains them best.
     Settled {
-        /// Where each is in the tool as the session has it, mm.
+        /// The stated place of each in the tool, mm.
         places_mm: Vec<Vector3<f64>>,
         /// At whose stated place each is; `None`: at none.
         at: Vec<Option<usize>>,
@@ -48,15 +48,15 @@ pub(crate) enum Agreement {
     },
 }
 
-/// How far from its stated place a target may be, mm: `sigma` of what is stated, and the median error that is left
-/// over so many samples of it.
+/// How far from its stated place a target may be, mm: `sigma` of what is stated, and the median residual over so many
+/// samples of it.
 pub(crate) fn within_mm(sigma: f64, median_mm: f64, samples: usize) -> f64 {
     let shown = median_mm * (3.0 / samples.max(1) as f64).sqrt();
     MISSED * sigma.max(shown)
 }
 
-/// Standard deviation of the places of so many targets, mm, beside which the 95 % interval of the shift that they
-/// share reaches from either of two shifts so far apart to the other.
+/// Standard deviation of the places of so many targets, mm, with which the 95 % interval of the shift that they share
+/// reaches from either of two shifts so far apart to the other.
 pub(crate) fn sigma_between(across_mm: f64, targets: usize) -> f64 {
     0.6 * across_mm * (targets as f64).sqrt()
 }
@@ -68,7 +68,7 @@ pub(crate) fn last_axis(robot: &Robot) -> Option<Unit<Vector3<f64>>> {
     turns.then(|| robot.base_from_tool.rotation.inverse() * last.axis.direction)
 }
 
-/// What is known of a zero offset, rad.
+/// The standard deviation of a zero offset, rad.
 fn zero_sigma() -> f64 {
     let priors = joint_zero().about().priors;
     priors.first().map_or(f64::INFINITY, |prior| prior.sigma)
@@ -82,12 +82,12 @@ struct Motion {
 }
 
 impl Motion {
-    /// Where a target is without it.
+    /// The place of a target without it.
     fn undone(&self, seen: &SeenTarget) -> Vector3<f64> {
         self.turn.inverse() * (seen.at_mm - self.shift_mm)
     }
 
-    /// The best one that takes stated places to where targets are seen.
+    /// The best one that takes stated places to where targets are measured.
     fn of(pairs: &[(Vector3<f64>, Vector3<f64>)], about: Option<Unit<Vector3<f64>>>) -> Self {
         let many = pairs.len().max(1) as f64;
         let from = pairs.iter().map(|p| p.0).sum::<Vector3<f64>>() / many;
@@ -119,7 +119,7 @@ pub(crate) fn agreement(
     let mut best: Vec<(usize, Explained, Motion, f64)> = Vec::new();
     for (motion, around) in motions(seen, stated, about) {
         let (_, first, _) = explained(seen, stated, &motion, |one| one.within_mm.hypot(around));
-        // As many as agree say together where the tool is.
+        // The targets that agree determine the tool together.
         let own = seen.iter().zip(&first);
         let pairs: Vec<_> = own
             .filter_map(|(seen, at)| Some((stated[(*at)?]?, seen.at_mm)))
@@ -153,8 +153,8 @@ pub(crate) fn agreement(
     }
 }
 
-/// Motions that take the stated places of one or two targets to where they, or others, are seen; and how far off the
-/// targets may be that they are made of, mm.
+/// Motions that take the stated places of one or two targets to where they, or others, are measured; and how far off
+/// the targets may be that they are made of, mm.
 fn motions(
     seen: &[SeenTarget],
     stated: &[Option<Vector3<f64>>],
@@ -195,8 +195,8 @@ fn motions(
 /// At whose stated place each target is, if at any.
 type Explained = Vec<Option<usize>>;
 
-/// What targets cost beside a motion, at whose stated place each is, and the squares by which they miss it, in units of
-/// what is known of them.
+/// The cost of targets given a motion, at whose stated place each is, and the squares by which they miss it, in units
+/// of their standard deviations.
 fn explained(
     seen: &[SeenTarget],
     stated: &[Option<Vector3<f64>>],
@@ -231,7 +231,7 @@ fn explained(
     (cost, at, missed)
 }
 
-/// How far the shifts are from one another that the targets show, each beside its own stated place, mm.
+/// How far the shifts of the targets from their own stated places are from one another, mm.
 pub(crate) fn across_mm(seen: &[SeenTarget], stated: &[Option<Vector3<f64>>]) -> f64 {
     let shift = |one: &SeenTarget| Some(one.at_mm - (*stated.get(one.of)?)?);
     let shifts: Vec<Vector3<f64>> = seen.iter().filter_map(shift).collect();
@@ -344,7 +344,7 @@ mod tests {
 
     #[test]
     fn a_turn_that_hardly_fits_is_none() {
-        // About x the second would nearly be where it is seen, were the third elsewhere.
+        // About x the second would nearly be where it is measured, were the third elsewhere.
         let of = |x, y, z| Some(Vector3::new(x, y, z));
         let stated = [
             of(10.0, 5.0, 70.0),
@@ -426,7 +426,7 @@ mod tests {
             &stated,
             AXIS
         )));
-        // All moved by the same halfway: before or after, nothing tells.
+        // All moved by the same halfway: before or after cannot be distinguished.
         let all = [0, 1, 2, 0, 1, 2].map(|k| seen(k, at(k)));
         let mut moved = all.to_vec();
         moved[3..].iter_mut().for_each(|one| one.at_mm += off);

@@ -1,5 +1,5 @@
-//! How sure the answer is: `C = s² (Jᵀ W J)⁻¹`, `s² = rᵀ W r / (m − rank)`, and 95 % intervals
-//! from Student's t with m − rank degrees of freedom, m the number of measured coordinates.
+//! The uncertainty of the answer: `C = s² (Jᵀ W J)⁻¹`, `s² = rᵀ W r / (m − rank)`, and 95 % intervals from Student's t
+//! with m − rank degrees of freedom, m the number of measured coordinates.
 //!
 //! An amplitude and a phase follow from their two coefficients a = A cos φ, b = A sin φ by the
 //! first derivatives of `A = √(a² + b²)` and `φ = atan2(b, a)`.
@@ -29,8 +29,8 @@ pub fn normal_95() -> f64 {
     t_quantile(0.975, f64::INFINITY)
 }
 
-/// The estimates of all parameters that a calibration holds, with intervals by its covariance and
-/// `factor`; without a covariance there are none.
+/// The estimates of all parameters of a calibration, with intervals by its covariance and `factor`; without a
+/// covariance there are none.
 pub fn all_estimates(calibration: &Calibration, factor: f64) -> Vec<Estimate> {
     let mut all = Vec::new();
     let mut first = 0;
@@ -40,7 +40,7 @@ pub fn all_estimates(calibration: &Calibration, factor: f64) -> Vec<Estimate> {
         let fits = fits.filter(|covariance| covariance.nrows() >= first + size);
         let own = fits.map(|covariance| covariance.view((first, first), (size, size)).into_owned());
         let kind = calibration.model.robot.joints[term.joint].kind;
-        // What is held has no variance at all; its file says nothing else of it.
+        // What is held has no variance at all; its file states nothing else of it.
         let has_none = |k: usize| own.as_ref().is_none_or(|own| own[(k, k)] == 0.0);
         let open: Vec<bool> = (0..size).map(has_none).collect();
         all.extend(estimates(term, own.as_ref(), factor, &open, kind));
@@ -49,9 +49,8 @@ pub fn all_estimates(calibration: &Calibration, factor: f64) -> Vec<Estimate> {
     all
 }
 
-/// The estimates of a term's parameters. `covariance` is that of its own coefficients, `factor`
-/// turns a standard error into half an interval, and `undetermined` says of each coefficient
-/// whether the samples leave it open.
+/// The estimates of a term's parameters. `covariance` is that of its own coefficients, `factor` turns a standard error
+/// into half an interval, and `undetermined` states of each coefficient whether the samples leave it undetermined.
 pub(crate) fn estimates(
     term: &Term,
     covariance: Option<&DMatrix<f64>>,
@@ -62,8 +61,8 @@ pub(crate) fn estimates(
     let about = term.effect.about();
     let values = term.parameters_on(kind);
     let half_widths = half_widths(term, covariance, factor, undetermined, kind);
-    // A fade is shown first and solved for last, as a logarithm; other settings are chosen, not
-    // estimated, and the scan says how sure that is.
+    // A fade is shown first and solved for last, as a logarithm; other settings are chosen, not estimated, and their
+    // uncertainty comes from the scan.
     let fading = matches!(about.form, Form::Fading(_));
     let settings = usize::from(!fading && setting_quantity(about.setting).is_some());
     let matters = |name: &str| {
@@ -137,7 +136,7 @@ fn half_widths(
                 term.settled().setting / setting.on(kind).unit.scale
             });
             let deviation = |k: usize| factor * covariance[(k, k)].sqrt();
-            // An uncertainty beyond a factor of e is none that an interval could tell.
+            // An uncertainty beyond a factor of e has no meaningful interval.
             let of_fade = (!undetermined[1] && deviation(1) < 1.0).then(|| fade * deviation(1));
             let of_size = (!undetermined[0]).then(|| deviation(0) / quantity.unit.scale);
             vec![of_fade, of_size]
@@ -191,8 +190,8 @@ mod tests {
             let (a, b, h) = (3e-3, -4e-3, 1e-8);
             let da = (of(a + h, b) - of(a - h, b)) / (2.0 * h);
             let db = (of(a, b + h) - of(a, b - h)) / (2.0 * h);
-            let carried = DMatrix::from_row_slice(1, 2, &[da, db]);
-            (&carried * &covariance * carried.transpose())[0].sqrt()
+            let decayed = DMatrix::from_row_slice(1, 2, &[da, db]);
+            (&decayed * &covariance * decayed.transpose())[0].sqrt()
         };
         let of = |undetermined: [bool; 2]| {
             half_widths(

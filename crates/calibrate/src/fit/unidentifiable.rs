@@ -7,10 +7,10 @@ use crate::answers::identification::NotIdentifiable;
 use crate::model::names::{coefficient_names, together};
 use crate::text::{Template, Text};
 
-/// What is fitted beside the model has no name.
+/// The extra columns have no name.
 const UNNAMED: Template = phrase!("what no name explains");
 
-/// Every combination of coefficients that the samples leave open.
+/// Every combination of coefficients that is not identifiable.
 pub(super) fn undetermined_combinations(solution: &Solution) -> Vec<NotIdentifiable> {
     let mut names = coefficient_names(&solution.model);
     names.resize(

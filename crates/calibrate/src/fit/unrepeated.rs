@@ -1,4 +1,4 @@
-//! The normal equations beside what the joints do not repeat: residual and columns go through the filter of
+//! The normal equations with the error of repeatability: residual and columns go through the filter of
 //! [`joints`](super::noise::joints), sample by sample along all axes, before they are summed.
 
 use crate::effects::block::Block;
@@ -16,7 +16,7 @@ pub(super) struct Unrepeated<'p> {
     /// One after the other of each column, the residual last.
     states: Vec<f64>,
     row: Vec<f64>,
-    /// What went through the filter last along each axis, the residual last.
+    /// The last block after the filter along each axis, the residual last.
     white: [Vec<Lanes>; 3],
 }
 
@@ -70,7 +70,7 @@ impl<'p> Unrepeated<'p> {
 
 impl Normal {
     /// Adds one block of samples with noise that rows of a pose share.
-    pub(super) fn add_beside_joints(
+    pub(super) fn add_with_joint_noise(
         &mut self,
         problem: &Problem,
         start: usize,
@@ -105,7 +105,7 @@ mod tests {
     use crate::effects::JointValues;
     use crate::fit::base_model;
     use crate::fit::estimator::fit_without_outliers;
-    use crate::fit::estimator::noise_beside;
+    use crate::fit::estimator::noise_given;
     use crate::fit::example::unrepeated;
     use crate::fit::noise::{Noise, Slow};
     use crate::fit::regression::Rows;
@@ -136,21 +136,25 @@ mod tests {
             let rows = Rows::of(&problem).seen_by(&solution.model);
             let (residual, columns) = rows.extract(&solution.model);
             let white = noise.whitened(&rows, &columns);
-            let left = noise.whitened_vector(&rows, &residual);
+            let white_residual = noise.whitened_vector(&rows, &residual);
             let mut expected = Normal::new(columns.ncols());
             problem.priors.add(&solution.model, &mut expected);
             let gram = &expected.gram + white.tr_mul(&white);
-            let gradient = &expected.gradient + white.tr_mul(&left);
+            let gradient = &expected.gradient + white.tr_mul(&white_residual);
             assert!((&normal.gram - &gram).norm() < 1e-9 * gram.norm());
             assert!(
                 (&normal.gradient - &gradient).norm()
                     < 1e-9 * gradient.norm().max(gram.norm() * 1e-6)
             );
-            assert!((normal.cost - expected.cost - left.norm_squared()).abs() < 1e-6 * normal.cost);
+            assert!(
+                (normal.cost - expected.cost - white_residual.norm_squared()).abs()
+                    < 1e-6 * normal.cost
+            );
         }
     }
 
-    /// The rows of a pose show what the robot does not repeat and what the instrument does; a robot that repeats, none.
+    /// The rows of a pose show both the repeatability of the robot and the noise of the instrument; a robot that
+    /// repeats, the latter alone.
     #[test]
     fn what_the_joints_do_not_repeat_is_told_from_the_instrument() {
         for (joints_rad, seed) in [(2e-4, 1), (5e-5, 2), (0.0, 3), (0.0, 4)] {
@@ -158,7 +162,7 @@ mod tests {
             let mut problem = Problem::new(&session, JointValues::Commanded);
             let start = base_model::start(&session, &problem, |_| true);
             let solution = fit_without_outliers(&mut problem, &start);
-            let noise = noise_beside(&problem, &solution.model, &[]);
+            let noise = noise_given(&problem, &solution.model, &[]);
             if joints_rad == 0.0 {
                 assert_eq!(noise.joints_rad, 0.0, "{seed}");
                 continue;
@@ -171,8 +175,9 @@ mod tests {
         }
     }
 
-    /// So do the three coordinates of a single reflector: how far a joint moves it, and which way, is another at every pose.
-    /// Fifteen sessions in which the robot repeats show none of it, and the instrument keeps what is stated of it.
+    /// So do the three coordinates of a single reflector: how far a joint moves it, and which way, differs from pose
+    /// to pose. Fifteen sessions in which the robot repeats show none of it, and the instrument keeps its stated
+    /// noise.
     #[test]
     fn one_reflector_tells_what_the_joints_do_not_repeat() {
         let noise_of = |joints_rad: f64, seed: u64| {
@@ -183,7 +188,7 @@ mod tests {
             assert!(problem.inputs.pose.is_none());
             let start = base_model::start(&session, &problem, |_| true);
             let solution = fit_without_outliers(&mut problem, &start);
-            noise_beside(&problem, &solution.model, &[])
+            noise_given(&problem, &solution.model, &[])
         };
         for (joints_rad, seed) in [(2e-4, 1), (1e-3, 2)] {
             let noise = noise_of(joints_rad, seed);

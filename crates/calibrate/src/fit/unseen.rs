@@ -1,10 +1,11 @@
-//! What the measured poses do not show of a robot, as it is known beforehand.
+//! Combinations that the measured poses do not determine, at their values expected by the priors.
 //!
-//! The gauge holds at zero what the samples cannot tell from what comes before it, and so hands all of it to the
-//! frame and the tool. Where every pose of the joint ranges does alike that is a choice of names. Where the *measured*
-//! poses do (two of them, one joint that was swept) it is a claim about all others: a tool 3 mm to the side that was a
-//! zero offset leads off wherever the wrist is turned. Such a combination d moves along its line to where it is
-//! expected, by the priors of this robot's own width (`prior_scale`), and is as unsure as they are:
+//! The gauge holds at zero what is linearly dependent on what comes before it, and so attributes all of it to the
+//! frame and the tool. Where every pose of the joint ranges has the same dependency that is a choice of names. Where
+//! only the *measured* poses have it (two of them, one joint that was swept) it is a claim about all others: a tool 3
+//! mm to the side that was a zero offset leads off wherever the wrist is turned. Such a combination d moves along its
+//! line to where it is expected, by the priors of this robot's own width (`prior_scale`), and is as uncertain as they
+//! are:
 //!
 //! ```text
 //! J d = 0 at the measured poses and not over the joint ranges,   D = (d₁ d₂ …)
@@ -31,18 +32,17 @@ use super::problem::Problem;
 use super::ranges::over_the_ranges;
 use super::solver::{Solution, equations_at, solution_at, solve};
 
-/// How far an instrument may stand from where it is thought to stand, where nothing is known: any turn alike, of which
-/// the standard deviation is π/√3, and a room of some metres, rad and mm.
+/// How far an instrument may be from where it is assumed to be, where nothing is known: any turn alike, of which the
+/// standard deviation is π/√3, and a room of some metres, rad and mm.
 pub(crate) const ANYWHERE: [f64; 2] = [1.8, 1000.0];
-/// What is not linear over so long a line may cost at most this of the RMS error (a tenth of what the digits show that
-/// are printed of it) …
+/// The nonlinearity over so long a line may raise the RMS error by at most this (a tenth of its last printed digit) …
 const MOST_WORSE: f64 = 1.002;
 
 /// Combinations of coefficients that no sample shows, of a model with every link in it.
 pub(super) struct Unseen {
     /// The model with every link, and nothing held but places.
     pub(super) model: Model,
-    /// What was held in it.
+    /// The coefficients that were held in it.
     held: Vec<bool>,
     /// One combination a column, over all coefficients.
     pub(super) combinations: Vec<DVector<f64>>,
@@ -137,7 +137,7 @@ impl Unseen {
     }
 }
 
-/// What is known of every coefficient beforehand, whether or not priors hold in the fit.
+/// The prior of every coefficient, whether or not priors hold in the fit.
 pub(super) fn beforehand(priors: &Priors, model: &Model) -> Vec<f64> {
     let known = |(term, k): (&Term, usize)| {
         let about = term.effect.about();
@@ -159,14 +159,14 @@ pub(crate) struct Completed {
     pub(crate) covariance: Option<DMatrix<f64>>,
 }
 
-/// `None` where the samples show everything that matters, or nothing is known beforehand.
+/// `None` where the samples determine everything that matters, or there is no prior.
 pub(crate) fn completed(
     problem: &Problem,
     solution: &Solution,
     covariance: Option<&DMatrix<f64>>,
 ) -> Option<Completed> {
     let several = solution.model.robot.joints.len() > 1;
-    // Of targets whose own places are fitted nothing says where the tool is: there is no likeliest place between them.
+    // Of targets whose own places are fitted nothing determines the tool: there is no likeliest place between them.
     let is_open = |term: &Term| {
         of_one_target(term) && (0..term.coefficients.len()).any(|k| !term.held.contains(k))
     };
@@ -236,7 +236,7 @@ pub(crate) fn completed(
     })
 }
 
-/// The geometry that follows the samples with what they do not show at these values; what is not linear would lead
+/// The geometry that follows the samples with the undetermined combinations at these values; nonlinearity would lead
 /// off otherwise. `None` where it does not.
 fn followed(
     problem: &Problem,
@@ -268,16 +268,17 @@ fn followed(
         ..solution.clone()
     };
     let there = solution_at(problem, &there);
-    let left_mm = |model: &Model| {
+    let residual_mm = |model: &Model| {
         let lengths_mm = lengths_mm(problem, model);
-        Spread::of(&lengths_mm, |i| problem.used[i], |_| false).map_or(0.0, |left| left.rms_mm)
+        Spread::of(&lengths_mm, |i| problem.used[i], |_| false).map_or(0.0, |spread| spread.rms_mm)
     };
-    let follows = left_mm(&there.model) <= MOST_WORSE * left_mm(&solution.model) + NOTHING_MM;
+    let follows =
+        residual_mm(&there.model) <= MOST_WORSE * residual_mm(&solution.model) + NOTHING_MM;
     let most = MOST_WORSE * MOST_WORSE * solution.cost;
     (follows && there.cost <= most).then_some(there)
 }
 
-/// Where the coefficients of a model are among those of the same with more terms.
+/// The indices of the coefficients of a model among those of the same with more terms.
 fn places(model: &Model, wider: &Model) -> Vec<usize> {
     let mut first = 0;
     let wide: Vec<(usize, &Term)> = wider
@@ -306,7 +307,7 @@ pub fn nothing_held(model: &Model) -> Model {
     })
 }
 
-/// The model with the links that the gauge has left out, as nothing of them is seen.
+/// The model with the links that the gauge has left out, as nothing of them is determined.
 fn with_every_link(model: &Model) -> Model {
     let id = LINK_GEOMETRY.about().id;
     let is_there = |joint: usize| {

@@ -7,7 +7,7 @@ use crate::effects::JointValues;
 use crate::numeric::extent;
 use crate::sessions::{Session, SessionCorrection};
 
-/// What a robot may carry, kg: so much …
+/// The largest payload of a robot, kg: so much …
 const LEAST_PAYLOAD_KG: f64 = 60.0;
 /// … and so much for the square of its reach in metres (the strongest arms: 2300 kg at 3.7 m).
 const PAYLOAD_KG_PER_M2: f64 = 300.0;

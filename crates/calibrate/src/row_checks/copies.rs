@@ -1,5 +1,5 @@
-//! Rows that were copied: a file pasted below itself, blocks, single rows. They are no returns to a
-//! pose and tell nothing of the noise, so they are left out.
+//! Rows that were copied: a file pasted below itself, blocks, single rows. They are no returns to a pose and have no
+//! information on the noise, so they are left out.
 //!
 //! A return to the same pose may read the same to the last digit where the digit is coarse: along one
 //! axis with the chance
@@ -8,8 +8,8 @@
 //! p = d / (2 √π σ)
 //! ```
 //!
-//! of two readings with noise σ and digit d. What agrees in all rows of a run is a copy where chance
-//! does not do that in any session of so many rows.
+//! of two readings with noise σ and digit d. What agrees in all rows of a run is a copy where that is improbable by
+//! chance in any session of so many rows.
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
@@ -138,7 +138,7 @@ fn chance(session: &Session) -> f64 {
         let Some(column) = column.filter(|c| c.iter().any(|v| v.is_finite())) else {
             return 1.0;
         };
-        // Of few different values the digit cannot be told: that they recur says nothing.
+        // Of few different values the digit cannot be determined: that they recur is no evidence.
         let digit = resolution_mm(column).unwrap_or_else(|| {
             if recurs(column) {
                 f64::INFINITY
@@ -239,7 +239,7 @@ mod tests {
             checked.session.samples.excluded_by_hand(),
             problems[0].samples
         );
-        // The corrected session has nothing to say.
+        // The corrected session has no finding.
         assert!(found(&checked.session).is_empty());
     }
 

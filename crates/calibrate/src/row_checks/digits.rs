@@ -1,4 +1,4 @@
-//! Coordinates that were rounded: their digit, where it matters beside the noise.
+//! Coordinates that were rounded: their digit, where it matters compared with the noise.
 //!
 //! Rounding to a digit d adds d²/12 to the variance of a coordinate, whatever the instrument is capable
 //! of; what is stated for the instrument is widened by that ([`SessionCorrection::WidenNoise`]).

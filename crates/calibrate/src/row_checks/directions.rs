@@ -9,7 +9,7 @@ use crate::sessions::{Session, SessionCorrection, in_rows};
 use super::rows::in_order;
 use super::speeds::{FEWEST, NEARLY_ALL, agreement};
 
-/// Every two joints whose commands say that each has the other's directions.
+/// Every two joints whose commands agree with the directions of the other.
 pub(super) fn exchanged(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let joints = session.samples.dir.len().min(session.samples.q.len());
     let pairs =
@@ -18,8 +18,7 @@ pub(super) fn exchanged(session: &Session, _: JointValues) -> Vec<DataProblem> {
     found.collect()
 }
 
-/// Rows that follow one another in which the joints move against their directions, beside others in which they move
-/// with them.
+/// Successive rows in which the joints move against their directions, while they move with them in others.
 pub(super) fn reversed_for_a_time(session: &Session, _: JointValues) -> Vec<DataProblem> {
     let samples = &session.samples;
     let n = samples.len();

@@ -1,5 +1,5 @@
-//! Numbers that stand for a missing value: −999 in the column of a joint, 0 in one of temperatures. A fit takes them for
-//! what they say.
+//! Codes for missing values: −999 in the column of a joint, 0 in one of temperatures. A fit would take them for
+//! values.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ use crate::sessions::columns::Quantity;
 
 /// With fewer other values it is not known what is usual.
 const FEWEST_OTHERS: usize = 5;
-/// A value that stands for a missing one is there at least twice, and in no more than this share of the samples.
+/// A code for a missing value is there at least twice, and in no more than this share of the samples.
 const FEWEST: usize = 2;
 const MOST_SHARE: f64 = 0.4;
 /// No machine that is calibrated is as cold or as warm, °C.

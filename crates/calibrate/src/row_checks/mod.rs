@@ -1,10 +1,10 @@
 //! Mistakes in the rows of a session that show without any fit: copies, an order that is not that of measuring,
 //! speeds and loads in another unit, digits.
 //!
-//! A row that is wrong makes a model wrong that fits every sample, so these checks come before the
-//! set-up errors and the effects. Each says what it saw, how sure that is, and, where that is
-//! mechanical, the change of the session that takes it back. The caller goes on with that change made;
-//! no row changes its place, so that a sample keeps its number.
+//! A row that is wrong makes a model wrong that fits every sample, so these checks come before the set-up errors and
+//! the effects. Each states its evidence, how certain it is, and, where that is mechanical, the change of the session
+//! that corrects it. The caller goes on with that change made; no row changes its place, so that a sample keeps its
+//! number.
 
 mod conditions;
 mod copies;
@@ -29,8 +29,8 @@ pub(crate) use rows::{in_order, listed};
 /// What looks for mistakes in a session; a correction that it proposes is made before the next.
 pub(crate) type Check = fn(&Session, JointValues) -> Vec<DataProblem>;
 
-/// Every check of rows, in the order in which they are made: what others would stumble over comes first. What is
-/// rounded ([`coarse`]) is asked when the unit is known.
+/// Every check of rows, in the order in which they are made: what would disturb others comes first. Rounding
+/// ([`coarse`]) is checked when the unit is known.
 pub(crate) const CHECKS: [Check; 9] = [
     midnight::passed,
     missing_values::coded,
@@ -61,8 +61,8 @@ impl<'a> CorrectedSession<'a> {
         }
     }
 
-    /// What `correct` makes of a session once it is whole; one that cannot be computed with
-    /// ([`Session::checked`] says why) stays as it is.
+    /// A session after `correct` once it is whole; one that cannot be computed with (see [`Session::checked`]) is
+    /// returned unchanged.
     pub(crate) fn of_whole(
         raw: &'a Session,
         correct: impl for<'b> Fn(&'b Session) -> CorrectedSession<'b>,
@@ -87,14 +87,14 @@ impl<'a> CorrectedSession<'a> {
             if found.is_empty() {
                 return;
             }
-            for mend in found.iter().filter_map(|problem| problem.mend.as_ref()) {
-                mend.apply_keeping_rows(self.session.to_mut());
+            for correction in found.iter().filter_map(|problem| problem.mend.as_ref()) {
+                correction.apply_keeping_rows(self.session.to_mut());
             }
             self.problems.extend(found);
         }
     }
 
-    /// Notes in the samples what was corrected: a model that is fitted to them carries it. `raw` is what was read.
+    /// Notes in the samples what was corrected: a model that is fitted to them contains it. `raw` is what was read.
     pub(crate) fn note_corrections(&mut self, raw: &Session) {
         let made = self
             .problems
@@ -110,7 +110,7 @@ impl<'a> CorrectedSession<'a> {
 
 /// Makes every check, one after the other.
 ///
-/// A session that cannot be computed with ([`Session::checked`] says why) has none.
+/// A session that cannot be computed with (see [`Session::checked`]) has none.
 pub fn check(session: &Session, values: JointValues) -> CorrectedSession<'_> {
     CorrectedSession::of_whole(session, |session| {
         let mut checked = CorrectedSession::of(session);

@@ -1,7 +1,6 @@
 //! Rows whose clock runs backwards again and again: the file was sorted after the measurement.
 //!
-//! Whatever depends on the order of measuring takes the clock's then ([`measuring_order`]); here it is
-//! said.
+//! Whatever depends on the order of measuring uses the clock's then ([`measuring_order`]); here it is reported.
 //!
 //! [`measuring_order`]: crate::sessions::measuring_order
 

@@ -1,5 +1,5 @@
-//! Returns to the same command that lead to places far from each other: the columns of the joints do not say where
-//! the robot was (a log that stood still, a column that was copied down). Such returns tell nothing of noise.
+//! Returns to the same command that lead to places far from each other: the columns of the joints are not those of the
+//! robot (a log that stood still, a column that was copied down). Such returns have no information on the noise.
 
 use std::collections::BTreeMap;
 
@@ -93,7 +93,7 @@ fn returns(session: &Session, values: JointValues) -> Vec<Return> {
     let returns = groups.flat_map(|group| {
         let from_middle = from_the_middle(session, &group);
         let far = from_middle.iter().filter(|mm| **mm > elsewhere_mm).count();
-        // Most of them tell where the command leads; without a majority none does.
+        // Most of them show where the command leads; without a majority none does.
         let none_agree = far > 0 && 2 * far >= group.len();
         let one = move |(sample, from_middle_mm): (usize, f64)| Return {
             sample,
@@ -109,7 +109,7 @@ fn returns(session: &Session, values: JointValues) -> Vec<Return> {
     returns.collect()
 }
 
-/// What was told to the robot at a sample.
+/// The command of the robot at a sample.
 fn command(session: &Session, values: JointValues, i: usize) -> Vec<u64> {
     let samples = &session.samples;
     let q = samples.q.iter().zip(&samples.q_read);

@@ -11,9 +11,9 @@ use crate::sessions::{Session, SessionCorrection};
 use crate::text::Template;
 use crate::units::{deg_from_rad, rad_from_deg};
 
-/// With fewer samples that move nothing is said.
+/// With fewer samples that move nothing is reported.
 pub(super) const FEWEST: usize = 8;
-/// So large a share has to say the same.
+/// So large a share has to agree.
 pub(super) const NEARLY_ALL: f64 = 0.95;
 /// A unit explains the way in time within this, as a ratio.
 const CLOSE: f64 = 0.05;
@@ -93,7 +93,7 @@ pub(super) fn agreement(session: &Session, joint: usize, side: &[f64]) -> (usize
     (moves.iter().filter(|v| **v > 0.0).count(), moves.len())
 }
 
-/// Units of speed that are taken for one another, with what is wrong.
+/// Units of speed that are taken for one another, with the message.
 fn units() -> [(f64, Template); 6] {
     [
         (deg_from_rad(1.0), phrase!("radians per second")),
@@ -230,7 +230,7 @@ mod tests {
             problems[0].what.contains("units per minute"),
             "{problems:?}"
         );
-        // Between poses at standstill the way says nothing.
+        // Between poses at standstill the way has no information.
         assert!(with(&mut session, 0.0).is_empty());
     }
 }

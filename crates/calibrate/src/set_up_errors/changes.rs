@@ -1,5 +1,5 @@
-//! What may have gone wrong in setting up a robot, each as the change of the samples that takes it back: the register
-//! of hypotheses, simplest first. Any of them may hold for a part of the rows alone.
+//! Set-up errors as changes of the samples that undo them: the register of hypotheses, simplest first. Any of them may
+//! hold for a part of the rows alone.
 
 use crate::effects::JointValues;
 use crate::fit::base_model;
@@ -13,24 +13,24 @@ use crate::units::{deg_from_rad, rad_from_deg};
 use super::fits::trial;
 use super::motor_values::{likely_ratios, likely_scales};
 
-/// A change of the samples: what is wrong, what to do, and what takes it back.
+/// A change of the samples: what is wrong, what to do, and the correction.
 pub(super) struct Change {
     pub(super) what: Text,
     pub(super) proposal: Text,
-    pub(super) mends: Vec<SessionCorrection>,
+    pub(super) corrections: Vec<SessionCorrection>,
 }
 
 impl Change {
-    fn new(what: Text, proposal: Text, mend: SessionCorrection) -> Self {
+    fn new(what: Text, proposal: Text, correction: SessionCorrection) -> Self {
         Self {
             what,
             proposal,
-            mends: vec![mend],
+            corrections: vec![correction],
         }
     }
 
-    /// The same with which it says the same in these samples.
-    pub(super) fn said_with(what: Text, twins: &[Text]) -> Text {
+    /// The same with the changes that are equivalent to it in these samples.
+    pub(super) fn with_equivalents(what: Text, twins: &[Text]) -> Text {
         if twins.is_empty() {
             return what;
         }
@@ -52,15 +52,15 @@ pub(super) fn frame_is_free(session: &Session) -> bool {
 
 /// Every change that makes sense for a robot.
 pub(super) fn changes(session: &Session, values: JointValues) -> Vec<Change> {
-    let left = |scaled: &Session| {
+    let residual_mm = |scaled: &Session| {
         let end = trial(scaled, values, frame_is_free(session))?;
         Some(end.within_mm(super::thresholds::HALF))
     };
     let mut all = plain(session, frame_is_free(session));
     all.extend(driven(session));
-    let motors = likely_ratios(session, values, left).into_iter();
+    let motors = likely_ratios(session, values, residual_mm).into_iter();
     all.extend(motors.map(|(joint, ratio)| values_of_a_motor(joint, ratio)));
-    let scales = likely_scales(session, values, left).into_iter();
+    let scales = likely_scales(session, values, residual_mm).into_iter();
     all.extend(scales.map(scale_is_wrong));
     all
 }
@@ -74,11 +74,11 @@ pub(super) fn of_rows(session: &Session) -> Vec<Change> {
         SessionCorrection::FreeFrame,
     ));
     // What has several changes is another's twin, and read-back values are of all rows.
-    all.retain(|change| matches!(change.mends.as_slice(), [mend] if *mend != SessionCorrection::TakeReadBack));
+    all.retain(|change| matches!(change.corrections.as_slice(), [correction] if *correction != SessionCorrection::TakeReadBack));
     all
 }
 
-/// What is there to be tried whatever the values are.
+/// The changes that are tried whatever the values are.
 fn plain(session: &Session, frame_is_free: bool) -> Vec<Change> {
     let mut all: Vec<Change> = (0..session.robot.joints.len()).map(sign).collect();
     all.extend(exchanged(session));
@@ -159,7 +159,7 @@ fn values_of_a_motor(joint: usize, ratio: f64) -> Change {
     )
 }
 
-/// The only joint moves so many times what its values say.
+/// The only joint moves so many times what its values state.
 fn scale_is_wrong(factor: f64) -> Change {
     let scale = format!("{factor:.4}");
     Change::new(
@@ -241,8 +241,8 @@ pub(super) fn parallelogram(robot: &Robot, joint: usize, factor: f64) -> Change 
     in_the_value(what, joint - 1, joint, factor)
 }
 
-/// Gears and belts of a wrist, or of a joint whose motor stands in the base, drive a joint by the value of any
-/// other that turns; neighbouring parallel ones are a parallelogram.
+/// Gears and belts of a wrist, or of a joint whose motor is in the base, drive a joint by the value of any other that
+/// turns; neighbouring parallel ones are a parallelogram.
 fn driven(session: &Session) -> Vec<Change> {
     let robot = &session.robot;
     let mut all = Vec::new();
@@ -270,12 +270,12 @@ fn in_the_value(what: Text, from: usize, joint: usize, factor: f64) -> Change {
     } else {
         text!("add joint {a} in the value of joint {b}", a, b)
     };
-    let mend = SessionCorrection::CoupleJoint {
+    let correction = SessionCorrection::CoupleJoint {
         joint,
         from,
         factor,
     };
-    Change::new(what, proposal, mend)
+    Change::new(what, proposal, correction)
 }
 
 fn homes(session: &Session, frame_is_free: bool) -> Vec<Change> {
@@ -295,7 +295,7 @@ fn homes(session: &Session, frame_is_free: bool) -> Vec<Change> {
                     b = after + 1
                 ),
                 proposal: Text::default(),
-                mends: vec![turned_home(before, 180.0), turned_home(after, 180.0)],
+                corrections: vec![turned_home(before, 180.0), turned_home(after, 180.0)],
             });
         }
     }
@@ -403,12 +403,12 @@ fn correct_the_unit_of(column: String) -> Text {
 }
 
 /// Whether a correction changes the unit of one coordinate.
-pub(super) fn is_of_one_coordinate(mend: &SessionCorrection) -> bool {
-    matches!(mend, SessionCorrection::ScaleCoordinate { .. })
+pub(super) fn is_of_one_coordinate(correction: &SessionCorrection) -> bool {
+    matches!(correction, SessionCorrection::ScaleCoordinate { .. })
 }
 
-/// Two of the measured axes are exchanged. Two pairs exchanged are a turn of the frame: what is left is one exchange,
-/// or a sign.
+/// Two of the measured axes are exchanged. Two pairs exchanged are a turn of the frame, so that only one exchange, or
+/// a sign, is needed.
 pub(super) fn axes_exchanged(session: &Session) -> Change {
     let what = if session.samples.z_mm.is_some() {
         text!("two of the measured axes are swapped (such as x and y), or one of them is reversed")

@@ -28,8 +28,8 @@ pub(super) fn some_samples(session: &Session) -> Session {
     session.of_rows(&some.collect::<Vec<_>>())
 }
 
-/// The base model fitted to a session, and the root mean square of what it leaves, mm, without the
-/// twentieth of the samples that is farthest off.
+/// The base model fitted to a session, and its RMS residual, mm, without the twentieth of the samples that is farthest
+/// off.
 pub(super) fn fitted(session: &Session, values: JointValues) -> Option<(Model, f64)> {
     fitted_from(session, values, |start| start)
 }
@@ -52,8 +52,8 @@ pub(super) fn fitted_from(
     Some((model, square.sqrt()))
 }
 
-/// What the base model leaves of some samples, mm.
-pub(super) fn left_mm(session: &Session, values: JointValues) -> Option<f64> {
+/// RMS residual of the base model over some samples, mm.
+pub(super) fn residual_mm(session: &Session, values: JointValues) -> Option<f64> {
     Some(fitted(&some_samples(session), values)?.1)
 }
 
@@ -78,7 +78,7 @@ fn in_order(mut lengths_mm: Vec<f64>) -> Vec<f64> {
     lengths_mm
 }
 
-/// The length that so large a share is within; infinite where there is none.
+/// The length that so large a share does not exceed; infinite where there is none.
 fn within(in_order_mm: &[f64], share: f64) -> f64 {
     let at = whole(share * in_order_mm.len() as f64);
     let last = in_order_mm.len().saturating_sub(1);
@@ -93,8 +93,8 @@ pub(super) fn share_within(lengths_mm: Vec<f64>, share: f64) -> f64 {
     within(&in_order(lengths_mm), share)
 }
 
-/// Fits what the one who mounts a robot adjusts: the frame, one shift of the tool and the zero offsets, of a single joint
-/// the zero offset and the link; `None` where the end makes sense for no robot.
+/// Fits what is adjusted when a robot is mounted: the frame, one shift of the tool and the zero offsets, of a single
+/// joint the zero offset and the link; `None` where the values found are impossible for a robot.
 pub(super) fn trial(session: &Session, values: JointValues, free_frame: bool) -> Option<Trial> {
     let problem = Problem::new(session, values);
     let is_arm = base_model::is_arm(session);

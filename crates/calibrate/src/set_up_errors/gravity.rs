@@ -1,16 +1,17 @@
-//! Gravity that runs otherwise than the session says: a robot on a wall, under a ceiling, on a slope.
+//! Gravity in another direction than the session states: a robot on a wall, under a ceiling, on a slope.
 //!
-//! Where the load changes, what it turns joint j by is linear in gravity,
+//! Where the load changes, the deflection of joint j is linear in gravity,
 //!
 //! ```text
 //! δ_j = C_j m Σ_g d_g τ_jg(q),   τ_jg = e_g · ∂x_tool/∂q_j
 //! gain(d) = b_dᵀ G_d⁻¹ b_d
 //! ```
 //!
-//! with the joints' compliances C and the direction d of gravity in the base frame; G is the Gram matrix of the
-//! 3 · joints columns, b their products with what the base leaves, beside every column of the base model, waves over the
-//! joints, and the same torques of a load that is always there (what links weigh, what an eccentricity does). A direction
-//! is said where it is likelier by far than the one that the session states, and than a foundation that gives.
+//! with the joints' compliances C and the direction d of gravity in the base frame; G is the Gram matrix of the 3 ·
+//! joints columns, b their products with the residuals, both projected orthogonal to every column of the base model,
+//! waves over the joints, and the same torques of a constant load (the weight of the links, an eccentricity). A
+//! direction is reported where it is much likelier than the one that the session states, and than a compliant
+//! foundation.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -21,25 +22,25 @@ use crate::numeric::extent;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::Text;
 
-use super::left::Beside;
-use super::looked::{Looked, Unstated};
+use super::examined::{Examined, Unstated};
+use super::residuals::Projected;
 use super::thresholds::LIKELIER;
 
 /// Directions that are tried first, evenly over the sphere: 5° apart.
 const DIRECTIONS: usize = 2000;
 /// Halvings of the step around the best of them: to a hundredth of a degree.
 const HALVINGS: usize = 10;
-/// A robot that stands so level (the chord of 10°) sags as one that is level, within what is known of its compliance.
+/// A robot that is level within this (the chord of 10°) sags as a level one, within the uncertainty of its compliance.
 const LEVEL: f64 = 0.17;
 
-/// Gravity as the joints feel it, where that is otherwise than the session says.
+/// The direction of gravity by the joints' deflections, where it is another than the session states.
 pub(super) fn runs_otherwise(
     session: &Session,
     _: JointValues,
-    looked: &Looked,
+    examined: &Examined,
 ) -> Option<Unstated> {
     let stated = session.robot.gravity_m_s2.filter(|g| g.norm() > 0.0)?;
-    let sag = Sag::of(looked)?;
+    let sag = Sag::of(examined)?;
     let direction = sag.likeliest()?;
     let as_stated = stated.normalize();
     let needed = LIKELIER + sag.nats(&as_stated, 0).max(sag.foundation).max(0.0);
@@ -47,7 +48,7 @@ pub(super) fn runs_otherwise(
     if more < 0.0 || (direction - as_stated).norm() < LEVEL {
         return None;
     }
-    let mend = SessionCorrection::TurnGravity((direction * stated.norm()).into());
+    let correction = SessionCorrection::TurnGravity((direction * stated.norm()).into());
     let along = |d: &Vector3<f64>| Text::verbatim(format!("({:.2}, {:.2}, {:.2})", d.x, d.y, d.z));
     let problem = DataProblem::of_all(
         text!(
@@ -57,7 +58,7 @@ pub(super) fn runs_otherwise(
         ),
         text!("what the joints give under the changing load is more than 1000 times likelier so"),
         text!("it is taken so; say in the session how the robot is mounted"),
-        mend,
+        correction,
     );
     Some((more, problem))
 }
@@ -66,18 +67,18 @@ pub(super) fn runs_otherwise(
 struct Sag<'a> {
     /// Columns of joint j and gravity along g at 3 j + g: their products.
     gram: DMatrix<f64>,
-    /// With what is left.
+    /// With the residuals.
     pull: DVector<f64>,
-    beside: Beside<'a>,
-    /// By how much rows say less than as many that are independent.
+    projected: Projected<'a>,
+    /// The factor by which correlated rows have less information than as many independent ones.
     dilution: f64,
     joints: usize,
-    /// The logarithm by which a foundation that gives under the load is likelier than none.
+    /// The logarithm by which a compliant foundation is likelier than none.
     foundation: f64,
 }
 
 impl<'a> Sag<'a> {
-    fn of(Looked { few, left, .. }: &'a Looked) -> Option<Self> {
+    fn of(Examined { few, residuals, .. }: &'a Examined) -> Option<Self> {
         let load = few.samples.load_kg.as_ref()?;
         let [least, most] = extent(load);
         if least >= most || load.iter().any(|kg| !kg.is_finite()) {
@@ -85,35 +86,35 @@ impl<'a> Sag<'a> {
         }
         let turning = |j: &usize| few.robot.joints[*j].kind == JointKind::Revolute;
         let joints: Vec<usize> = (0..few.robot.joints.len()).filter(turning).collect();
-        let (mut own, mut rivals) = (Vec::new(), left.waves(few, 1.0));
+        let (mut own, mut rivals) = (Vec::new(), residuals.waves(few, 1.0));
         for &joint in &joints {
-            let motion = &left.joints[joint];
+            let motion = &residuals.joints[joint];
             for along in 0..3 {
                 let torques = torques_of_a_kilogram(few, joint, along);
-                rivals.push(left.times(motion, |i| torques[i]));
-                own.push(left.times(motion, |i| torques[i] * load[i]));
+                rivals.push(residuals.times(motion, |i| torques[i]));
+                own.push(residuals.times(motion, |i| torques[i] * load[i]));
             }
         }
-        let beside = Beside::of(left, &rivals)?;
-        // A foundation that tilts and gives under the load's moment, whatever its springs.
+        let projected = Projected::of(residuals, &rivals)?;
+        // A foundation that tilts and shifts under the load's moment, whatever its springs.
         let at = |i: usize, axis: usize| few.samples.coordinates(i)[axis] * load[i];
-        let gives = (0..18).map(|k| left.column(|i| left.frame[i][k / 3] * at(i, k % 3)));
-        let foundation = beside.with(&gives.collect::<Vec<_>>()).1;
-        let dilution = beside.dilution(&beside.own(&own));
-        let own: Vec<_> = own.iter().map(|c| beside.basis.reject(c)).collect();
+        let gives = (0..18).map(|k| residuals.column(|i| residuals.frame[i][k / 3] * at(i, k % 3)));
+        let foundation = projected.with(&gives.collect::<Vec<_>>()).1;
+        let dilution = projected.dilution(&projected.own(&own));
+        let own: Vec<_> = own.iter().map(|c| projected.basis.reject(c)).collect();
         let own = DMatrix::from_columns(&own);
         Some(Self {
             gram: own.tr_mul(&own),
-            pull: own.tr_mul(&beside.free),
-            beside,
+            pull: own.tr_mul(&projected.free),
+            projected,
             dilution,
             joints: joints.len(),
             foundation,
         })
     }
 
-    /// The logarithm by which the joints' compliances under gravity along a direction are likelier than none, their
-    /// number and that of the direction's angles paid for; zero where joints would give against the load.
+    /// The logarithm by which the joints' compliances under gravity along a direction are likelier than none, less the
+    /// penalty of their number and that of the direction's angles; zero where a compliance would be negative.
     fn nats(&self, direction: &Vector3<f64>, angles: usize) -> f64 {
         let part = |j: usize, k: usize| {
             direction.dot(&(self.gram.fixed_view::<3, 3>(3 * j, 3 * k) * direction))
@@ -137,7 +138,7 @@ impl<'a> Sag<'a> {
         if given_way <= 0.0 {
             return 0.0;
         }
-        self.beside.nats(gains.sum(), self.joints + angles) / self.dilution
+        self.projected.nats(gains.sum(), self.joints + angles) / self.dilution
     }
 
     /// The likeliest direction; `None` where none is likelier than no compliance.

@@ -1,4 +1,4 @@
-//! Samples in which the instrument did not see what it should. They are said, and no fit counts them anyway.
+//! Samples in which the instrument did not measure what it should. They are reported, and no fit counts them anyway.
 
 use std::borrow::Cow;
 
@@ -17,7 +17,7 @@ use crate::fit::base_model;
 
 /// So many points at one place are no accident.
 const FEWEST_STUCK: usize = 3;
-/// Of fewer samples none is far off for sure, of more a fit takes long.
+/// With fewer samples no outlier is certain, with more a fit takes long.
 const SAMPLES: std::ops::RangeInclusive<usize> = 8..=20_000;
 
 /// Samples where the instrument lost the reflector.
@@ -39,7 +39,7 @@ pub(super) fn lost(session: &Session) -> Vec<DataProblem> {
     })
 }
 
-/// What is said of some samples, if there are any: of them, and of them as a person reads them, counted from 1.
+/// The message about some samples, if there are any: with their indices, and as a person reads them, counted from 1.
 fn some(rows: Vec<usize>, problem: impl Fn(Vec<usize>, Text) -> DataProblem) -> Vec<DataProblem> {
     let first = rows.iter().take(8).map(|i| (i + 1).to_string());
     let first = first.collect::<Vec<_>>().join(", ");
@@ -47,8 +47,8 @@ fn some(rows: Vec<usize>, problem: impl Fn(Vec<usize>, Text) -> DataProblem) -> 
         0 => Text::verbatim(first),
         more => text!("{first} and {more} more", first, more),
     };
-    let said = (!rows.is_empty()).then(|| problem(rows, which));
-    said.into_iter().collect()
+    let found = (!rows.is_empty()).then(|| problem(rows, which));
+    found.into_iter().collect()
 }
 
 /// Samples that are far off and lie where another reflector is, or all at one place.
@@ -96,7 +96,7 @@ pub(super) fn mislocked(session: &Session, values: JointValues) -> Vec<DataProbl
 }
 
 /// The same point again and again while the commands move the robot. Where the robot was there at one of them, it is
-/// the robot that stood still; beside equal commands nothing is odd.
+/// the robot that stood still; with equal commands it is normal.
 fn at_one_place(
     session: &Session,
     problem: &Problem,

@@ -1,14 +1,15 @@
-//! Mistakes of setting up that hold for all rows, each with its joint.
+//! Set-up errors that hold for all rows, each with its joint.
 //!
-//! A trial fits what the one who mounts a robot would adjust ([`trial`]), and looks at the median error. What some change
-//! of the samples brings down to a small part, and to what the geometry of a robot may leave, is a mistake. Changes that
-//! do so equally well are said together: the sign of a spherical wrist's middle joint is both neighbours' homes by 180°,
-//! the sign of a positioner's first joint the home of the second, the home of joint 1 the measuring frame.
+//! A trial fits what would be adjusted when a robot is mounted ([`trial`]), and compares the median error. A change of
+//! the samples that reduces it to a small part, and to what the geometry of a robot may explain, corrects a mistake.
+//! Changes that do so equally well are reported together: the sign of a spherical wrist's middle joint is equivalent
+//! to both neighbours' homes by 180°, the sign of a positioner's first joint to the home of the second, the home of
+//! joint 1 to the measuring frame.
 //!
-//! Trials run away where few poses show what they fit, and then anything is better. So the session as it stands is also
-//! seen by the nominal robot with the best rigid motion, and by the whole base model with its priors; the best of all
-//! counts. A change keeps the samples to the robot's scale, ends with values that a robot may have, and predicts samples
-//! that it was not fitted to.
+//! Trials run away where few poses determine what they fit, and then anything is better. So the uncorrected session is
+//! also compared with the nominal robot with the best rigid motion, and with the whole base model with its priors; the
+//! best of all counts. A change keeps the samples to the robot's scale, ends with values that a robot may have, and
+//! predicts samples that it was not fitted to.
 
 use nalgebra::{Rotation3, Vector3};
 
@@ -29,21 +30,23 @@ use super::changes::{Change, changes, frame_is_free, is_of_one_coordinate};
 use super::fits::{is_small_turn, share_within, thinned, trial};
 use super::nearest::Nominal;
 use super::several::several;
-use super::thresholds::{EQUAL, FEWEST_SAMPLES, HALF, MENDED_SHARE, NEARLY_ALL, PLAUSIBLE_SHARE};
+use super::thresholds::{
+    CORRECTED_SHARE, EQUAL, FEWEST_SAMPLES, HALF, NEARLY_ALL, PLAUSIBLE_SHARE,
+};
 
 /// Samples that a trial looks at.
 const MOST_SAMPLES: usize = 120;
 /// A median error below this share of the spread of the points, or of the robot's reach, is no mistake of setting up.
 const GROSS_SHARE: f64 = 0.005;
-/// What leaves so many times as much as the best says the same in these samples.
+/// A residual of at most so many times the best counts as equivalent in these samples.
 const ALIKE: f64 = 1.25;
 /// Where no mistake alone explains the samples, so many of the best are tried in pairs.
 const MOST_PAIRED: usize = 5;
 /// The spread of the points agrees with that of the robot within this, as a ratio.
 const TO_SCALE: f64 = 2.0;
-/// With fewer samples none can be kept back.
+/// With fewer samples none can be held out.
 const FEWEST_TO_SPLIT: usize = 24;
-/// Samples that were kept back leave at most so many times as much as a change may leave.
+/// Held-out samples may have residuals of at most so many times the limit of a change.
 const UNSEEN: f64 = 2.0;
 /// Ten times what is usual for a tilt or an offset of the base.
 const LEAST_TURN_DEG: f64 = 1.5;
@@ -63,20 +66,20 @@ pub(super) fn of_all_rows(session: &Session, values: JointValues) -> Vec<DataPro
 }
 
 /// A session with these changes.
-fn changed(part: &Session, mends: &[SessionCorrection]) -> Session {
+fn changed(part: &Session, corrections: &[SessionCorrection]) -> Session {
     let mut changed = part.clone();
-    for mend in mends {
-        mend.apply(&mut changed);
+    for correction in corrections {
+        correction.apply(&mut changed);
     }
     changed
 }
 
-/// By how much the points are spread less widely than as they stand.
+/// By how much the points are spread less widely than in the uncorrected session.
 fn shrunk(part: &Session, changed: &Session) -> f64 {
     part.samples.spread_mm() / changed.samples.spread_mm().max(1e-12)
 }
 
-/// A change and what the compared share of the samples is off by with it, in the units of the samples as they stand, mm.
+/// A change and the error of the compared share of the samples with it, in the units of the uncorrected samples, mm.
 type Tried = (Change, f64);
 
 /// What a change has to do for belief.
@@ -85,7 +88,7 @@ struct Judge<'a> {
     values: JointValues,
     /// The share of the samples that is compared.
     share: f64,
-    /// What it is off by as it stands, and may be off by with a change, mm.
+    /// The error of the uncorrected samples, and the largest error after a change, mm.
     before_mm: f64,
     most_mm: f64,
     /// Whether the nominal robot moves its points along x, y, z by more than it may be off.
@@ -103,7 +106,7 @@ impl<'a> Judge<'a> {
             values,
             share,
             before_mm,
-            most_mm: (MENDED_SHARE * before_mm).min(PLAUSIBLE_SHARE * spread),
+            most_mm: (CORRECTED_SHARE * before_mm).min(PLAUSIBLE_SHARE * spread),
             moves: nominal_mm(part, values).map(|along| {
                 let [low, high] = extent(&along);
                 high - low > GROSS_SHARE * part.robot.length_along_links_mm()
@@ -114,23 +117,24 @@ impl<'a> Judge<'a> {
     /// The change that explains the samples, or the two, or many.
     fn likeliest(&self) -> Vec<DataProblem> {
         let tried = self.tried(self.part);
-        if let Some((_, mends, problem)) = self.named(&tried) {
-            return if self.predicts(self.part, &mends) {
+        if let Some((_, corrections, problem)) = self.named(&tried) {
+            return if self.predicts(self.part, &corrections) {
                 vec![problem]
             } else {
                 Vec::new()
             };
         }
-        let single = tried
-            .iter()
-            .filter(|(change, left)| *left < self.before_mm && change.mends.len() == 1);
+        let single = tried.iter().filter(|(change, residual_mm)| {
+            *residual_mm < self.before_mm && change.corrections.len() == 1
+        });
         let mut nearest: Vec<&Tried> = single.collect();
         nearest.sort_by(|a, b| a.1.total_cmp(&b.1));
-        let with_another = |(first, left): &Tried| {
-            let without = changed(self.part, &first.mends);
-            let (least, mends, second) = self.named(&self.tried(&without))?;
-            let both = vec![self.problem(first, &[], *left), second];
-            self.predicts(&without, &mends).then_some((least, both))
+        let with_another = |(first, residual_mm): &Tried| {
+            let without = changed(self.part, &first.corrections);
+            let (least, corrections, second) = self.named(&self.tried(&without))?;
+            let both = vec![self.problem(first, &[], *residual_mm), second];
+            self.predicts(&without, &corrections)
+                .then_some((least, both))
         };
         let pairs = nearest
             .into_iter()
@@ -146,18 +150,18 @@ impl<'a> Judge<'a> {
     /// Every change that ends where a robot may be.
     fn tried(&self, part: &Session) -> Vec<Tried> {
         let all = changes(part, self.values).into_iter().filter_map(|change| {
-            let then = changed(part, &change.mends);
-            // One coordinate that is too small leaves the others as they are: no robot follows it.
-            let of_one = change.mends.iter().any(is_of_one_coordinate);
+            let then = changed(part, &change.corrections);
+            // One coordinate that is too small does not change the others: no robot follows it.
+            let of_one = change.corrections.iter().any(is_of_one_coordinate);
             if !of_one && !is_to_scale(part, &then, self.values) {
                 return None;
             }
             // What no motion changes has no unit that shows.
-            let still = |mend: &SessionCorrection| match mend {
+            let still = |correction: &SessionCorrection| match correction {
                 SessionCorrection::ScaleCoordinate { axis, .. } => !self.moves[*axis],
                 _ => false,
             };
-            if change.mends.iter().any(still) {
+            if change.corrections.iter().any(still) {
                 return None;
             }
             let end = trial(&then, self.values, frame_is_free(part))?;
@@ -175,30 +179,34 @@ impl<'a> Judge<'a> {
         all.collect()
     }
 
-    /// The change that leaves least, if that is little enough, with those that say the same; and what it leaves, mm,
-    /// before it.
+    /// The change with the smallest residual, if that is small enough, with the equivalent ones; before it the
+    /// residual, mm.
     fn named(&self, tried: &[Tried]) -> Option<(f64, Vec<SessionCorrection>, DataProblem)> {
         let least = tried.iter().map(|t| t.1).min_by(f64::total_cmp)?;
         if least > self.most_mm {
             return None;
         }
-        // The list begins with what is simplest.
-        let (main, left) = tried
+        // The list begins with the simplest.
+        let (main, residual_mm) = tried
             .iter()
-            .find(|(c, left)| *left <= EQUAL * least && c.mends.len() == 1)?;
-        let same = |(c, left): &&Tried| *left <= ALIKE * least && c.what != main.what;
+            .find(|(c, residual_mm)| *residual_mm <= EQUAL * least && c.corrections.len() == 1)?;
+        let same = |(c, residual_mm): &&Tried| *residual_mm <= ALIKE * least && c.what != main.what;
         let twins: Vec<Text> = tried
             .iter()
             .filter(same)
             .map(|(c, _)| c.what.clone())
             .collect();
-        Some((*left, main.mends.clone(), self.problem(main, &twins, *left)))
+        Some((
+            *residual_mm,
+            main.corrections.clone(),
+            self.problem(main, &twins, *residual_mm),
+        ))
     }
 
     fn problem(&self, change: &Change, twins: &[Text], after_mm: f64) -> DataProblem {
         let (before, after) = (in_words(self.before_mm), length(after_mm, 3));
         DataProblem::of_all(
-            Change::said_with(change.what.clone(), twins),
+            Change::with_equivalents(change.what.clone(), twins),
             if self.share == HALF {
                 text!(
                     "with the frame, the tool and the zero offsets fitted the median error is {before} as it stands and {after} with the set-up error corrected",
@@ -213,19 +221,21 @@ impl<'a> Judge<'a> {
                 )
             },
             change.proposal.clone(),
-            change.mends.first().cloned(),
+            change.corrections.first().cloned(),
         )
     }
 
-    /// Conventions that differ in many joints at once, each as a mistake of its own.
+    /// Conventions that differ in many joints at once, each as a separate mistake.
     fn many(&self) -> Vec<DataProblem> {
         let changes = several(self.part, self.values, self.most_mm);
-        let mends: Vec<SessionCorrection> = changes.iter().flat_map(|c| c.mends.clone()).collect();
-        let corrected = changed(self.part, &mends);
+        let corrections: Vec<SessionCorrection> =
+            changes.iter().flat_map(|c| c.corrections.clone()).collect();
+        let corrected = changed(self.part, &corrections);
         let end = trial(&corrected, self.values, true).filter(|end| {
             end.within_mm(HALF) <= self.most_mm && is_plausible(&corrected, &end.model)
         });
-        let Some(end) = end.filter(|_| !mends.is_empty() && self.predicts(self.part, &mends))
+        let Some(end) =
+            end.filter(|_| !corrections.is_empty() && self.predicts(self.part, &corrections))
         else {
             return Vec::new();
         };
@@ -236,16 +246,15 @@ impl<'a> Judge<'a> {
             count = changes.len()
         );
         let problem = |change: Change| {
-            let mend = change.mends.into_iter().next();
-            DataProblem::of_all(change.what, evidence.clone(), change.proposal, mend)
+            let correction = change.corrections.into_iter().next();
+            DataProblem::of_all(change.what, evidence.clone(), change.proposal, correction)
         };
         changes.into_iter().map(problem).collect()
     }
 
-    /// Whether a change predicts samples that its trial has not seen, the compared share of them to within what it may
-    /// leave.
-    fn predicts(&self, part: &Session, mends: &[SessionCorrection]) -> bool {
-        let changed = changed(part, mends);
+    /// Whether a change predicts samples that its trial has not seen, the compared share of them to within its limit.
+    fn predicts(&self, part: &Session, corrections: &[SessionCorrection]) -> bool {
+        let changed = changed(part, corrections);
         let n = changed.samples.len();
         if n < FEWEST_TO_SPLIT {
             return true;
@@ -256,25 +265,25 @@ impl<'a> Judge<'a> {
         };
         let unseen = half(1);
         trial(&half(0), self.values, frame_is_free(part)).is_some_and(|end| {
-            let left_mm = lengths_mm(&Problem::new(&unseen, self.values), &end.model);
-            // What may be left is told in the units of the samples as they stand.
+            let residual_mm = lengths_mm(&Problem::new(&unseen, self.values), &end.model);
+            // The limit is in the units of the uncorrected samples.
             let scale = (1.0 / shrunk(part, &changed)).max(1.0);
-            share_within(left_mm, self.share) <= UNSEEN * self.most_mm * scale
+            share_within(residual_mm, self.share) <= UNSEEN * self.most_mm * scale
         })
     }
 }
 
 /// A median error in words; it is infinite where nothing fits.
-fn in_words(left_mm: f64) -> Text {
-    if left_mm.is_finite() {
-        length(left_mm, 3)
+fn in_words(residual_mm: f64) -> Text {
+    if residual_mm.is_finite() {
+        length(residual_mm, 3)
     } else {
         text!("far beyond what a fit could explain")
     }
 }
 
-/// The least that so large a share of the samples is off by as they stand, mm; infinite where nothing fits. What is
-/// little enough is not looked at again.
+/// The least error of so large a share of the uncorrected samples, mm; infinite where nothing fits. Once it is small
+/// enough no further fit is tried.
 fn least_mm(
     part: &Session,
     values: JointValues,
@@ -293,8 +302,8 @@ fn least_mm(
         .min(with_priors_mm(part, values, moved, share))
 }
 
-/// The same with an arm's whole base model and its priors; infinite for points of another size than the robot's: links
-/// that shrink leave little of those whatever the robot is.
+/// The same with an arm's whole base model and its priors; infinite for points of another size than the robot's:
+/// shrinking links fit those whatever the robot is.
 fn with_priors_mm(part: &Session, values: JointValues, free_frame: bool, share: f64) -> f64 {
     if !base_model::is_arm(part) || !has_the_robots_size(part, values) {
         return f64::INFINITY;
@@ -368,12 +377,12 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
     let far = if base_model::is_arm(part) {
         is_turned || shift.norm() > LEAST_MOVE_MM
     } else {
-        // Of a single axis a turn about it is its zero offset, and what is small is a base offset or a tilt.
+        // Of a single axis a turn about it is its zero offset, and a small rest is a base offset or a tilt.
         let tilt = turn - axis * axis.dot(&turn);
         tilt.norm() > rad_from_deg(LEAST_TURN_DEG) || (to - point).norm() > LEAST_MOVE_MM
     };
     let gross = fixed_mm > GROSS_SHARE * part.samples.spread_mm();
-    if !far || !gross || free_mm > MENDED_SHARE * fixed_mm {
+    if !far || !gross || free_mm > CORRECTED_SHARE * fixed_mm {
         return None;
     }
     let about_axis = is_turned
@@ -387,7 +396,7 @@ fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
         turn = turned.clone()
     );
     Some(DataProblem::of_all(
-        Change::said_with(
+        Change::with_equivalents(
             text!("the measuring frame was never aligned with the robot's base"),
             if about_axis {
                 std::slice::from_ref(&home)

@@ -1,16 +1,15 @@
-//! Set-up errors, tried before any effect: on a real arm with a tracker they were worth
-//! more than any effect, and faked one.
+//! Set-up errors, tried before any effect: on a real arm with a tracker they were larger than any effect, and imitated
+//! one.
 //!
-//! A set-up error is a hypothesis about the data: the session is changed as the error would have it,
-//! the base fit is made again, and the change is believed if the gap falls to a small part of
-//! what it was and only then makes sense for a robot. The search goes on with the mended session.
+//! A set-up error is a hypothesis about the data: the session is changed as the error would have it, the base fit is
+//! repeated, and the change is accepted if the RMS error falls to a small part and is only then possible for a robot.
+//! The search goes on with the corrected session.
 
 mod changes;
+mod examined;
 mod fits;
 mod gravity;
 mod groups;
-mod left;
-mod looked;
 mod losses;
 mod mistakes;
 mod motor_values;
@@ -20,6 +19,7 @@ mod orientations;
 mod parts;
 mod read_back;
 mod refraction;
+mod residuals;
 mod rows;
 mod settling;
 mod several;
@@ -56,13 +56,13 @@ fn has_enough_points(session: &Session, joint_values: JointValues) -> bool {
 
 /// Checks the rows, tries the set-up errors and corrects what it finds.
 ///
-/// A session that cannot be computed with ([`Session::checked`] says why) stays as it is.
+/// A session that cannot be computed with (see [`Session::checked`]) is returned unchanged.
 pub fn corrected_session(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
-    CorrectedSession::of_whole(raw, |raw| mended(raw, joint_values))
+    CorrectedSession::of_whole(raw, |raw| corrected(raw, joint_values))
 }
 
 /// The same of a session that is whole.
-pub(crate) fn mended(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
+pub(crate) fn corrected(raw: &Session, joint_values: JointValues) -> CorrectedSession<'_> {
     without_mistakes(raw, joint_values, true)
 }
 
@@ -106,7 +106,7 @@ fn without_mistakes(raw: &Session, values: JointValues, small_ones: bool) -> Cor
     }
     found.look_for(unstated::likeliest, values, MOST_UNSTATED);
     found.note_corrections(raw);
-    // What is only said was not made.
+    // What is only reported was not corrected.
     let lost = losses::lost(&found.session);
     let mislocked = losses::mislocked(&found.session, values);
     found.problems.extend(lost.into_iter().chain(mislocked));

@@ -1,10 +1,10 @@
 //! Values of a joint that are those of its motor, before the gear, or the counts of an encoder: too large by an unknown
 //! ratio.
 //!
-//! Where a joint's values reach far beyond its limits, ratios that bring them within are tried on the nominal robot with
-//! the best rigid motion. The best is refined on fits; it is a whole number, or that of an encoder with a power of two of
-//! counts a turn, where one of these is near. The scale of a single joint that moves another part of what it is told (a
-//! hobby servo whose pulses were taken for degrees) is looked for on fits from the beginning.
+//! Where a joint's values are far beyond its limits, ratios that bring them within are tried on the nominal robot with
+//! the best rigid motion. The best is refined on fits; it is a whole number, or that of an encoder with a power of two
+//! of counts a turn, where one of these is near. The scale of a single joint that moves only a part of its commands (a
+//! hobby servo whose pulses were taken for degrees) is searched for on fits from the beginning.
 
 use std::borrow::Cow;
 
@@ -37,12 +37,12 @@ const PLAIN: f64 = 0.002;
 /// Counts that an encoder may have in a turn, as powers of two.
 const BITS: std::ops::RangeInclusive<u32> = 8..=24;
 
-/// Joints (counted from 0) whose values are likely those of a motor or an encoder, each with the ratio.
-/// `left` says what a fit leaves of samples.
+/// Joints (counted from 0) whose values are likely those of a motor or an encoder, each with the ratio. `residual_mm`
+/// is that of a fit to samples.
 pub(super) fn likely_ratios(
     session: &Session,
     values: JointValues,
-    left: impl Fn(&Session) -> Option<f64>,
+    residual_mm: impl Fn(&Session) -> Option<f64>,
 ) -> Vec<(usize, f64)> {
     let few = thinned(session, FEW_SAMPLES);
     let nominal = Nominal::of(&few, values);
@@ -51,8 +51,9 @@ pub(super) fn likely_ratios(
         // A motor may turn the other way, and a circle that turns over is the same circle.
         let both = [1.0, -1.0].map(|sign| {
             let ratio = likeliest(&nominal, joint, sign * least)?;
-            let left = |ratio| left(&by_ratio(session, joint, ratio)).unwrap_or(f64::INFINITY);
-            let ratio = refined(ratio, left);
+            let residual_mm =
+                |ratio| residual_mm(&by_ratio(session, joint, ratio)).unwrap_or(f64::INFINITY);
+            let ratio = refined(ratio, residual_mm);
             Some((joint, plain(with_base_model(session, values, joint, ratio))))
         });
         Some(both.into_iter().flatten())
@@ -61,26 +62,26 @@ pub(super) fn likely_ratios(
     joints.filter_map(of_joint).flatten().collect()
 }
 
-/// What the only joint likely moves for each unit of its values, forwards and backwards; nothing where they are those of
-/// a motor. `left` says what a fit leaves of samples.
+/// What the only joint likely moves for each unit of its values, forwards and backwards; nothing where they are those
+/// of a motor. `residual_mm` is that of a fit to samples.
 pub(super) fn likely_scales(
     session: &Session,
     values: JointValues,
-    left: impl Fn(&Session) -> Option<f64>,
+    residual_mm: impl Fn(&Session) -> Option<f64>,
 ) -> Vec<f64> {
     let few = thinned(session, FEW_SAMPLES);
     let is_of_a_motor = least_ratio(&Nominal::of(&few, values), &few, 0).is_some();
     if few.robot.joints.len() != 1 || is_of_a_motor {
         return Vec::new();
     }
-    let left = |ratio| left(&by_ratio(&few, 0, ratio)).unwrap_or(f64::INFINITY);
+    let residual_mm = |ratio| residual_mm(&by_ratio(&few, 0, ratio)).unwrap_or(f64::INFINITY);
     let of_sign = |sign: f64| {
         let all = std::iter::successors(Some(1.0 / LARGEST_SCALE), |ratio| Some(ratio * STEP));
         let all = all.take_while(|ratio| *ratio < LARGEST_SCALE);
         let best = all
-            .map(|ratio| (left(sign * ratio), sign * ratio))
+            .map(|ratio| (residual_mm(sign * ratio), sign * ratio))
             .min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let ratio = refined(best.1, left);
+        let ratio = refined(best.1, residual_mm);
         Some(1.0 / with_base_model(session, values, 0, ratio))
     };
     let both = [1.0, -1.0].into_iter().filter_map(of_sign);
@@ -108,30 +109,30 @@ fn least_ratio(nominal: &Nominal, session: &Session, joint: usize) -> Option<f64
 
 /// The ratio of the sign of `least` with which the nominal robot is nearest to the points.
 fn likeliest(nominal: &Nominal, joint: usize, least: f64) -> Option<f64> {
-    let left = |ratio: f64| {
+    let residual_mm = |ratio: f64| {
         let mut inputs = nominal.inputs.clone();
         let own = inputs.q[joint].iter().map(|q| q / ratio).collect();
         inputs.q[joint] = Cow::Owned(own);
-        nominal.left_mm(&inputs, false)
+        nominal.residual_mm(&inputs, false)
     };
     let most = LARGEST_RATIO * least.abs().max(1.0);
     let ratios = std::iter::successors(Some(least), |ratio| Some(ratio * STEP));
     let tried = ratios
         .take_while(|ratio| ratio.abs() <= most)
-        .map(|ratio| (left(ratio), ratio))
+        .map(|ratio| (residual_mm(ratio), ratio))
         .filter(|tried| tried.0.is_finite());
     tried.min_by(|a, b| a.0.total_cmp(&b.0)).map(|best| best.1)
 }
 
-/// The ratio near another that leaves least.
-fn refined(ratio: f64, left: impl Fn(f64) -> f64) -> f64 {
-    let mut best = (left(ratio), ratio);
+/// The ratio near another with the smallest residual.
+fn refined(ratio: f64, residual_mm: impl Fn(f64) -> f64) -> f64 {
+    let mut best = (residual_mm(ratio), ratio);
     let mut step = COARSE;
     for _ in 0..REFINED {
         step /= 3.0;
         for by in [1.0 - 2.0 * step, 1.0 - step, 1.0 + step, 1.0 + 2.0 * step] {
             let trial = best.1 * by;
-            let value = left(trial);
+            let value = residual_mm(trial);
             if value < best.0 {
                 best = (value, trial);
             }

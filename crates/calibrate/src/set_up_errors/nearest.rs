@@ -1,8 +1,7 @@
-//! How far points are from where the nominal robot has them, wherever the instrument stands.
+//! Distances of points from the nominal robot, wherever the instrument is.
 //!
 //! The rigid motion is the least-squares one of those three quarters of a setup's points that it brings nearest, and
-//! what is left has heavy tails (Student's t, ν = 4): points that are wrong in themselves neither turn it nor count for
-//! much.
+//! the residuals have heavy tails (Student's t, ν = 4): outliers neither turn it nor count for much.
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
@@ -26,7 +25,7 @@ const MOST_WRONG: f64 = 0.1;
 /// Where the robot is, and what was measured, mm.
 pub(super) type Pair = (Vector3<f64>, Vector3<f64>);
 
-/// The robot as it was drawn, beside the samples of a session.
+/// The nominal robot and the samples of a session.
 pub(super) struct Nominal<'a> {
     session: &'a Session,
     robot: Model,
@@ -71,7 +70,7 @@ impl<'a> Nominal<'a> {
             let motion = motion(&own)?;
             Some(
                 own.iter()
-                    .map(|pair| left(&motion, pair))
+                    .map(|pair| distance(&motion, pair))
                     .collect::<Vec<_>>(),
             )
         });
@@ -89,9 +88,9 @@ impl<'a> Nominal<'a> {
         all
     }
 
-    /// Root mean square of what predictions with these inputs leave, mm, without the samples that are farthest off;
-    /// `mirrored`: of the points in a mirror. Of points in a plane nothing is said.
-    pub(super) fn left_mm(&self, inputs: &Inputs, mirrored: bool) -> f64 {
+    /// RMS residual of predictions with these inputs, mm, without the samples that are farthest off; `mirrored`: of
+    /// the points in a mirror. Undefined for points in a plane.
+    pub(super) fn residual_mm(&self, inputs: &Inputs, mirrored: bool) -> f64 {
         let mut pairs = self.pairs(inputs);
         if mirrored {
             for (_, measured) in &mut pairs {
@@ -102,7 +101,7 @@ impl<'a> Nominal<'a> {
             let motion = rigid_motion(own)?;
             Some(
                 own.iter()
-                    .map(|pair| left(&motion, pair).powi(2))
+                    .map(|pair| distance(&motion, pair).powi(2))
                     .collect::<Vec<_>>(),
             )
         };
@@ -123,11 +122,11 @@ impl<'a> Nominal<'a> {
 
 /// What a deviation costs, as a logarithm.
 pub(super) fn cost_of(length_mm: f64, sigma_mm: f64) -> f64 {
-    // Of a sum, as nothing depends on the digits that are lost beside 1: this is most of the work.
+    // Of a sum, as nothing depends on the digits that are lost next to 1: this is most of the work.
     0.5 * (TAILS + AXES) * (1.0 + length_mm * length_mm / (TAILS * sigma_mm * sigma_mm)).ln()
 }
 
-/// The likeliest scale of deviations, mm, and what they cost all together beside it.
+/// The likeliest scale of deviations, mm, and their cost given it.
 pub(super) fn cost(lengths_mm: &[f64]) -> (f64, f64) {
     let n = lengths_mm.len().max(1) as f64;
     let mean = lengths_mm.iter().sum::<f64>() / n;
@@ -159,14 +158,14 @@ pub(super) fn motion(pairs: &[(Vector3<f64>, Vector3<f64>)]) -> Option<Isometry3
         if kept >= pairs.len() {
             break;
         }
-        near.sort_by(|a, b| left(&motion, a).total_cmp(&left(&motion, b)));
+        near.sort_by(|a, b| distance(&motion, a).total_cmp(&distance(&motion, b)));
         motion = rigid_motion(&near[..kept])?;
     }
     Some(motion)
 }
 
 /// How far a pair is apart, mm.
-pub(super) fn left(motion: &Isometry3<f64>, pair: &(Vector3<f64>, Vector3<f64>)) -> f64 {
+pub(super) fn distance(motion: &Isometry3<f64>, pair: &(Vector3<f64>, Vector3<f64>)) -> f64 {
     (moved(motion, &pair.0) - pair.1).norm()
 }
 
@@ -203,7 +202,7 @@ mod tests {
         let mut lengths = vec![3.0_f64.sqrt(); 95];
         let (alone, _) = cost(&lengths);
         lengths.extend([1e4; 5]);
-        let (beside, _) = cost(&lengths);
-        assert!(beside < 1.6 * alone, "{alone} {beside}");
+        let (with_outliers, _) = cost(&lengths);
+        assert!(with_outliers < 1.6 * alone, "{alone} {with_outliers}");
     }
 }

@@ -1,13 +1,13 @@
 //! Orientations in another frame than the positions: all of them turned by one turn that the positions do not have.
 //!
-//! Measured are R = A P B and p = A (x + R t) + d: a turned tool B is a parameter of every calibration, a turned frame A
-//! is one only where positions and orientations share it. The turns between samples say A by themselves
-//! ([`super::orientations`]); so do the positions, with a shift of the tool t and of the frame d left free.
+//! Measured are R = A P B and p = A (x + R t) + d: a turned tool B is a parameter of every calibration, a turned frame
+//! A is one only where positions and orientations share it. The turns between samples determine A alone
+//! ([`super::orientations`]); so do the positions, with a free shift of the tool t and of the frame d.
 
 use nalgebra::{DMatrix, DVector, Point3, Rotation3, UnitQuaternion, Vector3};
 
 use super::orientations::{Pairs, joint_values};
-use super::thresholds::{FEWEST_SAMPLES, MENDED_SHARE, MOST_SAMPLES};
+use super::thresholds::{CORRECTED_SHARE, FEWEST_SAMPLES, MOST_SAMPLES};
 use crate::answers::diagnosis::DataProblem;
 use crate::decompose::svd;
 use crate::effects::JointValues;
@@ -19,8 +19,8 @@ use crate::units::deg_from_rad;
 
 /// No frame is turned by less on purpose, and zeros of joints that are off turn it by as much.
 const SMALLEST_RAD: f64 = 5e-3;
-/// What the turns leave in the median moves their frame by less than this many times as much.
-const TIMES_LEFT: f64 = 3.0;
+/// A median residual of the turns moves their frame by less than this many times as much.
+const TIMES_RESIDUAL: f64 = 3.0;
 /// Alternations of frame and tool.
 const ROUNDS: usize = 30;
 
@@ -36,8 +36,8 @@ fn turned(session: &Session, values: JointValues) -> Option<DataProblem> {
     let (frame, own_mm) = points.best()?;
     let (_, in_that_mm) = points.in_frame(&fit.frame)?;
     let turn = frame * fit.frame.inverse();
-    let least = SMALLEST_RAD.max(TIMES_LEFT * fit.left);
-    if turn.angle() < least || own_mm > MENDED_SHARE * in_that_mm {
+    let least = SMALLEST_RAD.max(TIMES_RESIDUAL * fit.residual_rad);
+    if turn.angle() < least || own_mm > CORRECTED_SHARE * in_that_mm {
         return None;
     }
     let degrees = |rad: f64| format!("{:.2}", deg_from_rad(rad));
@@ -85,7 +85,7 @@ impl Points {
         (rows.len() >= FEWEST_SAMPLES).then_some(Self(rows))
     }
 
-    /// The shift of the tool with which this frame fits best, and what it leaves in the median, mm.
+    /// The shift of the tool with which this frame fits best, and the median residual, mm.
     fn in_frame(&self, frame: &UnitQuaternion<f64>) -> Option<(Vector3<f64>, f64)> {
         let frame = frame.to_rotation_matrix();
         let count = self.0.len();
@@ -103,13 +103,13 @@ impl Points {
                 .copy_from(&(measured - frame * point));
         }
         let shifts = svd(columns.clone())?.solve(&lacking, 1e-9).ok()?;
-        let left = lacking - columns * &shifts;
-        let off = (0..count).map(|row| left.fixed_rows::<3>(3 * row).norm());
+        let residual = lacking - columns * &shifts;
+        let off = (0..count).map(|row| residual.fixed_rows::<3>(3 * row).norm());
         let median = crate::numeric::median(off)?;
         Some((shifts.fixed_rows::<3>(0).into(), median))
     }
 
-    /// The frame in which the positions are, and what it leaves in the median, mm.
+    /// The frame in which the positions are, and the median residual, mm.
     fn best(&self) -> Option<(UnitQuaternion<f64>, f64)> {
         let mut tool = Vector3::zeros();
         let mut best: Option<(UnitQuaternion<f64>, f64)> = None;
@@ -119,10 +119,10 @@ impl Points {
             };
             let pairs: Vec<_> = self.0.iter().map(moved).collect();
             let frame = rigid_motion(&pairs)?.rotation;
-            let (shift, left) = self.in_frame(&frame)?;
+            let (shift, residual) = self.in_frame(&frame)?;
             tool = shift;
-            if best.is_none_or(|(_, least)| left < least) {
-                best = Some((frame, left));
+            if best.is_none_or(|(_, least)| residual < least) {
+                best = Some((frame, residual));
             }
         }
         best

@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
-use super::thresholds::{FEW_SAMPLES, FEWEST_SAMPLES, GROSS_TURN_RAD, MENDED_SHARE};
+use super::thresholds::{CORRECTED_SHARE, FEW_SAMPLES, FEWEST_SAMPLES, GROSS_TURN_RAD};
 use crate::answers::diagnosis::DataProblem;
 use crate::decompose::{eigen, svd};
 use crate::effects::JointValues;
@@ -42,7 +42,7 @@ const ORDERS: [[usize; 3]; 8] = [
 /// How three numbers make an orientation; `None`: they are a rotation vector.
 type Order = Option<[usize; 3]>;
 
-/// What fits so many times as badly as the best says the same in these samples.
+/// A residual of at most so many times the best counts as equivalent in these samples.
 const ALIKE: f64 = 1.5;
 /// What fits within a milliradian fits.
 const EQUAL_RAD: f64 = 1e-3;
@@ -65,7 +65,7 @@ pub(super) fn of_another_convention(session: &Session, values: JointValues) -> V
 /// The orientations that one as it is read may have been.
 type Convention = Box<dyn Fn(UnitQuaternion<f64>) -> Vec<UnitQuaternion<f64>>>;
 
-/// What measured orientations may be instead, and how that is said to the import.
+/// Alternative conventions of measured orientations, each with the option of the import.
 fn conventions() -> Vec<(Convention, Text)> {
     let parts = |order: [usize; 4]| {
         move |q: UnitQuaternion<f64>| {
@@ -245,23 +245,24 @@ impl Pairs {
     }
 
     fn problem(&self) -> Option<DataProblem> {
-        let stands = self.fit(&|q| vec![q])?.left;
-        if stands < GROSS_TURN_RAD {
+        let as_stated = self.fit(&|q| vec![q])?.residual_rad;
+        if as_stated < GROSS_TURN_RAD {
             return None;
         }
         let fits = conventions().into_iter().filter_map(|(convention, name)| {
             let fit = self.fit(&*convention)?;
-            (fit.left < (MENDED_SHARE * stands).min(GROSS_TURN_RAD)).then_some((fit, name))
+            (fit.residual_rad < (CORRECTED_SHARE * as_stated).min(GROSS_TURN_RAD))
+                .then_some((fit, name))
         });
         let mut fits: Vec<(Fit, Text)> = fits.collect();
         let least = fits
             .iter()
-            .map(|(fit, _)| fit.left)
+            .map(|(fit, _)| fit.residual_rad)
             .fold(f64::INFINITY, f64::min);
         // The inverse and an exchange of parts are the same but for two turns: of those that fit alike the one whose frame
         // and tool are turned least is meant, and where they are turned anyway any of them may be.
-        fits.retain(|(fit, _)| fit.left <= (ALIKE * least).max(EQUAL_RAD));
-        // Where an angle stays zero, orders are one: the usual one stands first.
+        fits.retain(|(fit, _)| fit.residual_rad <= (ALIKE * least).max(EQUAL_RAD));
+        // Where an angle stays zero, several orders are equivalent: the usual one is first.
         let turned = |fit: &Fit| (fit.turned / GROSS_TURN_RAD).round();
         fits.sort_by(|a, b| turned(&a.0).total_cmp(&turned(&b.0)));
         if fits.first().is_some_and(|(fit, _)| fit.turned < NEAR_RAD) {
@@ -284,7 +285,7 @@ impl Pairs {
                 ),
                 text!(
                     "turns between samples are off by {before} in the median as they stand, by {after} in that one",
-                    before = mrad(stands),
+                    before = mrad(as_stated),
                     after = mrad(least)
                 ),
                 text!(
@@ -292,12 +293,12 @@ impl Pairs {
                     convention
                 ),
             )
-        } else if stands > WRONG_RAD {
+        } else if as_stated > WRONG_RAD {
             (
                 text!("the orientations are not those of this robot in any convention"),
                 text!(
                     "turns between samples are off by {before} in the median, and no order of a quaternion's parts, of angles or of the pose brings them near",
-                    before = mrad(stands)
+                    before = mrad(as_stated)
                 ),
                 text!(
                     "check which frames the poses are between, and the joint values; until then only the positions are used"
@@ -306,11 +307,11 @@ impl Pairs {
         } else {
             return None;
         };
-        let mend = SessionCorrection::LeaveOutOrientations;
-        Some(DataProblem::of_all(what, evidence, proposal, mend))
+        let correction = SessionCorrection::LeaveOutOrientations;
+        Some(DataProblem::of_all(what, evidence, proposal, correction))
     }
 
-    /// Whether the turns between samples tell one measuring frame: they are about several axes.
+    /// Whether the turns between samples determine one measuring frame: they are about several axes.
     pub(super) fn are_of_one_frame(&self) -> bool {
         let turns = self.pairs.iter().map(|(a, b)| {
             let turn = log(&(self.predicted[*a] * self.predicted[*b].inverse()));
@@ -322,13 +323,13 @@ impl Pairs {
         self.setups == 1 && along[1] > SECOND_AXIS * along[2]
     }
 
-    /// How well the measured orientations fit in this convention; `None` where that cannot be said.
+    /// How well the measured orientations fit in this convention; `None` where it is not determined.
     pub(super) fn fit(
         &self,
         convention: &dyn Fn(UnitQuaternion<f64>) -> Vec<UnitQuaternion<f64>>,
     ) -> Option<Fit> {
         let measured: Vec<_> = self.measured.iter().map(|q| convention(*q)).collect();
-        // Each turn with each of what it may have been.
+        // Each turn with each of its alternatives.
         let turns = |(a, b): &(usize, usize)| {
             let between = measured[*a]
                 .iter()
@@ -347,11 +348,12 @@ impl Pairs {
                 |best, next| if next.0 < best.0 { next } else { best },
             )
         };
-        let left = |frame: &Matrix3<f64>| median(turns.iter().map(|turn| nearest(frame, turn).0));
+        let residual_rad =
+            |frame: &Matrix3<f64>| median(turns.iter().map(|turn| nearest(frame, turn).0));
         let best_of = |frames: Vec<Matrix3<f64>>| {
             let fits = frames
                 .into_iter()
-                .filter_map(|frame| Some((left(&frame)?, frame)));
+                .filter_map(|frame| Some((residual_rad(&frame)?, frame)));
             fits.min_by(|a, b| a.0.total_cmp(&b.0))
         };
         let first = turns.iter().map(|(any, predicted)| (any[0], *predicted));
@@ -370,9 +372,9 @@ impl Pairs {
             (off < WRONG_RAD).then_some((own, turn.1))
         });
         let refined = frame_of(near);
-        let (left, frame) = best_of(refined.into_iter().chain([frame]).collect())?;
+        let (residual_rad, frame) = best_of(refined.into_iter().chain([frame]).collect())?;
         let frame = UnitQuaternion::from_matrix(&frame);
-        // What the tool is turned by besides, by the sample that shows the least.
+        // The turn of the tool in addition, by the sample with the smallest.
         let tool = measured
             .iter()
             .zip(&self.predicted)
@@ -383,7 +385,7 @@ impl Pairs {
                 mounted.fold(f64::INFINITY, f64::min)
             });
         Some(Fit {
-            left,
+            residual_rad,
             frame,
             turned: frame.angle() + median(tool)?,
         })
@@ -393,7 +395,7 @@ impl Pairs {
 /// How well a convention fits: the median difference of the turns, and by how much measuring frame and tool are turned
 /// against the description; rad.
 pub(super) struct Fit {
-    pub(super) left: f64,
+    pub(super) residual_rad: f64,
     /// The measuring frame of the orientations.
     pub(super) frame: UnitQuaternion<f64>,
     turned: f64,

@@ -13,9 +13,9 @@ use crate::effects::JointValues;
 use crate::sessions::Session;
 use crate::text::angle;
 
-use super::fits::left_mm;
+use super::fits::residual_mm;
 
-/// With fewer samples nothing is told of a slope.
+/// With fewer samples no slope is reported.
 const FEWEST: usize = 8;
 /// Standard errors from which on a slope is no accident.
 const CLEAR: f64 = 5.0;
@@ -39,8 +39,8 @@ pub(super) fn lagging(
 ) -> (Vec<DataProblem>, Option<Session>) {
     let joints = 0..session.samples.q.len();
     let lags: Vec<Lag> = joints.filter_map(|joint| Lag::of(session, joint)).collect();
-    let left = |values| left_mm(session, values).unwrap_or(f64::INFINITY);
-    if lags.is_empty() || left(JointValues::Read) < left(JointValues::Commanded) {
+    let residual_mm = |values| residual_mm(session, values).unwrap_or(f64::INFINITY);
+    if lags.is_empty() || residual_mm(JointValues::Read) < residual_mm(JointValues::Commanded) {
         return (Vec::new(), None);
     }
     let problems = lags.iter().map(Lag::problem).collect();
@@ -121,6 +121,6 @@ fn slope_through_zero(pairs: &[(f64, f64)]) -> Option<(f64, f64)> {
     }
     let xx: f64 = pairs.iter().map(|p| p.0 * p.0).sum();
     let slope = pairs.iter().map(|p| p.0 * p.1).sum::<f64>() / xx;
-    let left: f64 = pairs.iter().map(|p| (p.1 - slope * p.0).powi(2)).sum();
-    Some((slope, (left / (pairs.len() - 1) as f64 / xx).sqrt()))
+    let rss: f64 = pairs.iter().map(|p| (p.1 - slope * p.0).powi(2)).sum();
+    Some((slope, (rss / (pairs.len() - 1) as f64 / xx).sqrt()))
 }

@@ -1,4 +1,5 @@
-//! Air that bends the lines of sight: warm air rises along a robot, under a roof it is warmer than above a floor.
+//! Refraction that bends the lines of sight: warm air rises along a robot, under a roof it is warmer than above a
+//! floor.
 //!
 //! In a gradient of the refractive index a line of sight is part of a parabola,
 //!
@@ -6,16 +7,16 @@
 //! p_i = p_i⁰ + b |p_i|²,   2 b the gradient
 //! ```
 //!
-//! in the instrument's own frame. What the fitted robot leaves is regressed on the three columns of b beside the base
-//! model, waves over the joints and the torques of masses behind them: an arm that sags moves downwards with its reach
-//! squared, too. What no model has moves points by any quadratic function of their place: were that likelier, with its 27
-//! numbers, it would not be the sight.
+//! in the instrument's own frame. The residuals of the fitted robot are regressed on the three columns of b together
+//! with the base model, waves over the joints and the torques of masses behind them: an arm that sags moves downwards
+//! with its reach squared, too. An error that the model lacks may be any quadratic function of the place: were that
+//! likelier, with its 27 numbers, it would not be the sight.
 
 use nalgebra::Vector3;
 
+use super::examined::{Examined, Unstated};
 use super::gravity::torques_of_a_kilogram;
-use super::left::Beside;
-use super::looked::{Looked, Unstated};
+use super::residuals::Projected;
 use super::thresholds::LIKELIER;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
@@ -23,8 +24,8 @@ use crate::kinematics::JointKind;
 use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, length};
 
-/// No line of sight is bent by more than this part of its length: beside a furnace, at 100 K a metre, one of 10 m by half of
-/// it (10⁻⁶ a kelvin).
+/// No line of sight is bent by more than this part of its length: near a furnace, at 100 K a metre, one of 10 m by half
+/// of it (10⁻⁶ a kelvin).
 const MOST: f64 = 1e-3;
 /// Which of x, y, z and 1 are multiplied in a quadratic function.
 const PRODUCTS: [[usize; 2]; 9] = [
@@ -40,26 +41,29 @@ const PRODUCTS: [[usize; 2]; 9] = [
 ];
 
 /// Lines of sight that are bent.
-pub(super) fn bends(_: &Session, _: JointValues, looked: &Looked) -> Option<Unstated> {
-    let Looked { few, left, .. } = looked;
+pub(super) fn bends(_: &Session, _: JointValues, examined: &Examined) -> Option<Unstated> {
+    let Examined { few, residuals, .. } = examined;
     if few.samples.setups.as_ref()?.names.len() != 1 {
         return None;
     }
-    let point = |i: usize| Vector3::from(left.expected[i]);
-    let farthest_mm = (0..left.n).map(|i| point(i).norm()).fold(0.0, f64::max);
-    let mut others = looked.waves();
-    for (joint, motion) in left.joints.iter().enumerate() {
+    let point = |i: usize| Vector3::from(residuals.expected[i]);
+    let farthest_mm = (0..residuals.n)
+        .map(|i| point(i).norm())
+        .fold(0.0, f64::max);
+    let mut others = examined.waves();
+    for (joint, motion) in residuals.joints.iter().enumerate() {
         if few.robot.joints[joint].kind == JointKind::Revolute {
             for along in 0..3 {
                 let torques = torques_of_a_kilogram(few, joint, along);
-                others.push(left.times(motion, |i| torques[i]));
+                others.push(residuals.times(motion, |i| torques[i]));
             }
         }
     }
-    let columns = [0, 1, 2]
-        .map(|axis| left.column(|i| Vector3::ith(axis, (point(i).norm() / farthest_mm).powi(2))));
-    let beside = Beside::of(left, &others)?;
-    let (by, nats) = beside.with(&columns);
+    let columns = [0, 1, 2].map(|axis| {
+        residuals.column(|i| Vector3::ith(axis, (point(i).norm() / farthest_mm).powi(2)))
+    });
+    let projected = Projected::of(residuals, &others)?;
+    let (by, nats) = projected.with(&columns);
     let by_mm = Vector3::new(by[0], by[1], by[2]);
     if nats < LIKELIER || by_mm.norm() > MOST * farthest_mm {
         return None;
@@ -67,12 +71,12 @@ pub(super) fn bends(_: &Session, _: JointValues, looked: &Looked) -> Option<Unst
     let quadratic = (0..3 * PRODUCTS.len()).map(|k| {
         let [first, second] = PRODUCTS[k / 3];
         let of = |i: usize, factor: usize| point(i).push(farthest_mm)[factor] / farthest_mm;
-        left.column(|i| Vector3::ith(k % 3, of(i, first) * of(i, second)))
+        residuals.column(|i| Vector3::ith(k % 3, of(i, first) * of(i, second)))
     });
-    if beside.with(&quadratic.collect::<Vec<_>>()).1 > nats {
+    if projected.with(&quadratic.collect::<Vec<_>>()).1 > nats {
         return None;
     }
-    let mend = SessionCorrection::StraightenSight((by_mm / farthest_mm.powi(2)).into());
+    let correction = SessionCorrection::StraightenSight((by_mm / farthest_mm.powi(2)).into());
     let along = by_mm.normalize();
     let problem = DataProblem::of_all(
         text!(
@@ -87,7 +91,7 @@ pub(super) fn bends(_: &Session, _: JointValues, looked: &Looked) -> Option<Unst
         text!(
             "the samples are taken without it; keep sights away from warm machines and short, or mix the air"
         ),
-        mend,
+        correction,
     );
     Some((nats - LIKELIER, problem))
 }

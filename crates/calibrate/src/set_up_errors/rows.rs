@@ -1,4 +1,4 @@
-//! Which rows a change holds for.
+//! The rows for which a change holds.
 
 use super::nearest::Nominal;
 use super::thresholds::{MOVED_MM, SAME_MM};
@@ -41,7 +41,8 @@ impl RowsInOrder {
         Self { order, counted }
     }
 
-    /// Without those that are sent to the place of the one before once more: they say nothing new of what moves.
+    /// Without those that are sent to the place of the one before once more: they have no new information on what
+    /// moves.
     pub(super) fn of_new_places(mut self, session: &Session) -> Self {
         let samples = &session.samples;
         let order = &self.order;
@@ -66,13 +67,13 @@ impl RowsInOrder {
         let nominal = Nominal::of(&few, values);
         let pairs = nominal.pairs(&nominal.inputs);
         let stays = |a: usize, b: usize| {
-            let [told, seen] = [pairs[a].0 - pairs[b].0, pairs[a].1 - pairs[b].1];
-            seen.norm() < SAME_MM && told.norm() > MOVED_MM
+            let [commanded, measured] = [pairs[a].0 - pairs[b].0, pairs[a].1 - pairs[b].1];
+            measured.norm() < SAME_MM && commanded.norm() > MOVED_MM
         };
-        let beside =
+        let still =
             |k: usize| (k > 0 && stays(k - 1, k)) || (k + 1 < pairs.len() && stays(k, k + 1));
         let mut k = 0..;
-        self.counted.retain(|_| !k.next().is_some_and(beside));
+        self.counted.retain(|_| !k.next().is_some_and(still));
         self
     }
 
@@ -122,7 +123,7 @@ impl RowsInOrder {
     }
 
     /// What holds for a part, and for which.
-    pub(super) fn said(&self, session: &Session, part: Part, what: &Text) -> Text {
+    pub(super) fn described(&self, session: &Session, part: Part, what: &Text) -> Text {
         let ranges = self.ranges(session, part);
         match part {
             Part::All => what.clone(),

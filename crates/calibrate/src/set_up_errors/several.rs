@@ -6,9 +6,9 @@
 //! d_k = ±1 or 0, along parallel axes (a parallelogram),   π: which column is whose
 //! ```
 //!
-//! with the measured points as they are or as in a mirror. The nominal robot with the best rigid motion says how far
-//! off a choice is; a descent over two joints at a time, from several starts, finds the choice. What is as good with
-//! fewer mistakes is taken. Only a trial as of every other mistake makes it believed.
+//! with the measured points as they are or as in a mirror. The error of a choice is that of the nominal robot with the
+//! best rigid motion; a descent over two joints at a time, from several starts, finds the choice. What is as good with
+//! fewer mistakes is taken. It is accepted by the same trial as every other mistake.
 
 use std::borrow::Cow;
 use std::f64::consts::FRAC_PI_2;
@@ -24,10 +24,10 @@ use super::fits::thinned;
 use super::nearest::Nominal;
 use super::thresholds::{EQUAL, FEW_SAMPLES};
 
-/// Descents from choices that chance makes, beside those from the columns as they are and reversed.
+/// Descents from random choices, in addition to those from the columns as they are and reversed.
 const RANDOM_STARTS: usize = 48;
 
-/// What is taken to be wrong with one joint.
+/// The assumed mistakes of one joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 struct JointChoice {
     reversed: bool,
@@ -71,7 +71,7 @@ impl JointChoice {
     }
 }
 
-/// What is taken to be wrong with a session.
+/// The assumed mistakes of a session.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Choice {
     joints: Vec<JointChoice>,
@@ -122,7 +122,7 @@ impl Choice {
     }
 }
 
-/// The robot as it was drawn, beside the samples of a session.
+/// The nominal robot and the samples of a session.
 struct Judge<'a> {
     nominal: Nominal<'a>,
     choices: Vec<Vec<JointChoice>>,
@@ -130,8 +130,8 @@ struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    /// Root mean square of what a choice leaves, mm, without the samples that are farthest off.
-    fn left_mm(&self, choice: &Choice) -> f64 {
+    /// RMS residual of a choice, mm, without the samples that are farthest off.
+    fn residual_mm(&self, choice: &Choice) -> f64 {
         let mut inputs = self.nominal.inputs.clone();
         let raw = |joint: usize| &self.nominal.inputs.q[choice.columns[joint]];
         for (joint, own) in choice.joints.iter().enumerate() {
@@ -143,7 +143,7 @@ impl Judge<'_> {
             let values = values.map(|(q, before)| factor * (q + share * before) + turn);
             inputs.q[joint] = Cow::Owned(values.collect());
         }
-        self.nominal.left_mm(&inputs, choice.mirrored)
+        self.nominal.residual_mm(&inputs, choice.mirrored)
     }
 
     /// What is chosen with every choice of these joints.
@@ -183,7 +183,7 @@ impl Judge<'_> {
     /// The choice in which no two joints can be changed for the better.
     fn descended(&self, start: Choice) -> (Choice, f64) {
         let n = start.joints.len();
-        let mut best = (self.left_mm(&start), start);
+        let mut best = (self.residual_mm(&start), start);
         loop {
             let before = best.0;
             for first in 0..n {
@@ -191,9 +191,9 @@ impl Judge<'_> {
                     let mut tried = self.every(&best.1, &[first, second]);
                     tried.extend(self.exchanged(&best.1, first, second));
                     for choice in tried {
-                        let left = self.left_mm(&choice);
-                        if left < best.0 {
-                            best = (left, choice);
+                        let residual_mm = self.residual_mm(&choice);
+                        if residual_mm < best.0 {
+                            best = (residual_mm, choice);
                         }
                     }
                 }
@@ -207,12 +207,14 @@ impl Judge<'_> {
 
     /// The same with as few mistakes as explain the samples as well: a wrist's middle joint that counts the other
     /// way round is both neighbours' homes by 180°.
-    fn simplest(&self, choice: Choice, left_mm: f64) -> Choice {
+    fn simplest(&self, choice: Choice, residual_mm: f64) -> Choice {
         let n = choice.joints.len();
         let mut now = choice;
         for first in 0..n.saturating_sub(2) {
             for other in self.every(&now, &[first, first + 1, first + 2]) {
-                if other.mistakes() < now.mistakes() && self.left_mm(&other) <= EQUAL * left_mm {
+                if other.mistakes() < now.mistakes()
+                    && self.residual_mm(&other) <= EQUAL * residual_mm
+                {
                     now = other;
                 }
             }
@@ -221,7 +223,7 @@ impl Judge<'_> {
     }
 }
 
-/// The changes of an arm's samples that together explain them; none where no choice leaves less than `most_mm`.
+/// The changes of an arm's samples that together explain them; none where no choice has a residual below `most_mm`.
 pub(super) fn several(part: &Session, values: JointValues, most_mm: f64) -> Vec<Change> {
     let few = thinned(part, FEW_SAMPLES);
     let judge = Judge {
@@ -253,9 +255,9 @@ pub(super) fn several(part: &Session, values: JointValues, most_mm: f64) -> Vec<
         starts.push(start);
     }
     for start in starts {
-        let (choice, left) = judge.descended(start);
-        if left < most_mm {
-            return judge.simplest(choice, left).changes(part);
+        let (choice, residual_mm) = judge.descended(start);
+        if residual_mm < most_mm {
+            return judge.simplest(choice, residual_mm).changes(part);
         }
     }
     Vec::new()

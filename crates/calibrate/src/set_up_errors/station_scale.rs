@@ -1,14 +1,14 @@
 //! Stations of an instrument whose distances have different scales: air that is warmer at one of them, another
 //! instrument, a robot that grew between them.
 //!
-//! What the fitted robot leaves is regressed on the points of a station in its own frame, zero elsewhere, beside
-//! the base model with a frame for each station and waves over the joints. One scale is all stations' own (the robot's
-//! size is measured with it): the first one's.
+//! The residuals of the fitted robot are regressed on the points of a station in its own frame, zero elsewhere,
+//! together with the base model with a frame for each station and waves over the joints. One scale is common to all
+//! stations (the robot's size is measured with it): the first one's.
 
 use nalgebra::Vector3;
 
-use super::left::Beside;
-use super::looked::{Looked, Unstated};
+use super::examined::{Examined, Unstated};
+use super::residuals::Projected;
 use super::rows::Part;
 use super::thresholds::LIKELIER;
 use crate::answers::diagnosis::DataProblem;
@@ -19,15 +19,18 @@ use crate::sessions::{Group, Session, SessionCorrection};
 const LARGEST: f64 = 2e-3;
 
 /// The station whose scale differs most clearly.
-pub(super) fn differs(session: &Session, _: JointValues, looked: &Looked) -> Option<Unstated> {
-    let Looked { rows, left, .. } = looked;
+pub(super) fn differs(session: &Session, _: JointValues, examined: &Examined) -> Option<Unstated> {
+    let Examined {
+        rows, residuals, ..
+    } = examined;
     let names = &session.samples.setups.as_ref()?.names;
-    let beside = Beside::of(left, &looked.waves())?;
+    let projected = Projected::of(residuals, &examined.waves())?;
     let scale = |station: usize| {
         let part = Part::Group(Group::Setup, station);
         let is_own = rows.mask(session, part);
-        let of_row = |i: usize| Vector3::from(left.expected[i]) * f64::from(u8::from(is_own[i]));
-        let (by, nats) = beside.with(&[left.column(of_row)]);
+        let of_row =
+            |i: usize| Vector3::from(residuals.expected[i]) * f64::from(u8::from(is_own[i]));
+        let (by, nats) = projected.with(&[residuals.column(of_row)]);
         (
             nats - LIKELIER - (names.len() as f64).ln(),
             part,

@@ -1,5 +1,5 @@
-//! Targets that are written as places in the base frame, at home, where places in the tool are asked for. The tool's
-//! position takes that up without a trace, and every corrected target is off by it.
+//! Targets that are written as places in the base frame, at home, where places in the tool are asked for. The fitted
+//! position of the tool hides that, and every corrected target is off by it.
 
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
@@ -11,8 +11,8 @@ use super::fits::{share_within, thinned};
 use super::nearest::Nominal;
 use super::thresholds::{FEW_SAMPLES, GROSS_SHARE, HALF, PLAUSIBLE_SHARE};
 
-/// What the nominal robot leaves has to fall to less than this share of what it was …
-const MENDED: f64 = 0.1;
+/// The residual of the nominal robot has to fall to less than this share …
+const CORRECTED: f64 = 0.1;
 
 /// Targets that are not places in the tool.
 pub(super) fn stated_there(session: &Session, values: JointValues) -> Vec<DataProblem> {
@@ -24,16 +24,16 @@ pub(super) fn stated_there(session: &Session, values: JointValues) -> Vec<DataPr
         return Vec::new();
     }
     let part = thinned(session, FEW_SAMPLES);
-    let left_mm = |part: &Session| {
+    let residual_mm = |part: &Session| {
         let lengths = Nominal::of(part, values).lengths_mm(frame_is_free(part));
         share_within(lengths, HALF)
     };
-    let mend = SessionCorrection::TargetsFromBase;
+    let correction = SessionCorrection::TargetsFromBase;
     let mut as_places = part.clone();
-    mend.apply(&mut as_places);
-    let [before, after] = [left_mm(&part), left_mm(&as_places)];
+    correction.apply(&mut as_places);
+    let [before, after] = [residual_mm(&part), residual_mm(&as_places)];
     let is_gross = before >= GROSS_SHARE * session.robot.length_along_links_mm();
-    let enough = (MENDED * before).min(PLAUSIBLE_SHARE * part.samples.spread_mm());
+    let enough = (CORRECTED * before).min(PLAUSIBLE_SHARE * part.samples.spread_mm());
     if !before.is_finite() || !is_gross || after > enough {
         return Vec::new();
     }
@@ -45,6 +45,6 @@ pub(super) fn stated_there(session: &Session, values: JointValues) -> Vec<DataPr
             after = length(after, 3)
         ),
         text!("write each target as its place in the tool's frame"),
-        mend,
+        correction,
     )]
 }

@@ -1,5 +1,4 @@
-//! What is written about an effect: its name, its equation, its parameters, and the words that a
-//! technician reads.
+//! The description of an effect: its name, its equation, its parameters, and the words that a technician reads.
 
 use crate::kinematics::JointKind;
 use crate::text::Template;
@@ -31,7 +30,7 @@ pub struct Quantity {
     pub name: &'static str,
     /// Its unit.
     pub unit: Unit,
-    /// What it is where its joint slides.
+    /// Its meaning where its joint is prismatic.
     pub on_slide: OnSlide,
 }
 
@@ -117,7 +116,7 @@ pub enum Setting {
     Place,
     /// Which target's own part: 0 for what all of them share, else the target counted from 1.
     Target,
-    /// Another quantity, with what the effect's file says of it.
+    /// Another quantity, described in the effect's file.
     Listed(&'static Listed),
 }
 
@@ -138,7 +137,7 @@ pub struct Listed {
 }
 
 impl Listed {
-    /// A value that stands for all where nothing is measured yet, inner units.
+    /// A representative value where nothing is measured yet, inner units.
     pub fn stands_for_all(&self, joint: usize) -> f64 {
         let unit = self.quantity.unit;
         (self.usual)(joint).unwrap_or(unit.example) * unit.scale
@@ -238,7 +237,7 @@ pub enum Owner {
     Robot,
     /// The instrument's.
     Instrument,
-    /// The instrument's as it stood during one session.
+    /// The instrument's, during one session.
     Session,
 }
 
@@ -333,8 +332,8 @@ impl Form {
     }
 }
 
-/// Everything that is known of an effect before anything is measured. What is left out of an
-/// effect's file is as in [`About::PLAIN`].
+/// Everything that is known of an effect before anything is measured. What is left out of an effect's file is as in
+/// [`About::PLAIN`].
 #[allow(
     clippy::struct_excessive_bools,
     reason = "each is a fact of an effect, stated by its name"
@@ -359,10 +358,9 @@ pub struct About {
     pub source: &'static str,
     /// What in the machine causes it.
     pub cause: Template,
-    /// What it follows: the variable of its chart. Where the samples show no change of it, nothing
-    /// shows the effect.
+    /// The variable of its chart. Where the samples show no change of it, nothing shows the effect.
     pub over: Over,
-    /// What a session must have; the first that it lacks is told.
+    /// What a session must have; the first that it lacks is reported.
     pub needs: &'static [Need],
     /// Cycles per turn of a wave that has no other order; at equal steps a gear's order may look the same.
     pub cycles_per_turn: Option<u32>,
@@ -370,17 +368,17 @@ pub struct About {
     pub non_negative: bool,
     /// Whether none of its components can be negative: one that clearly is rules it out.
     pub no_component_negative: bool,
-    /// Sizes above this, in the unit of its parameters, are said to be implausible: ten times the
-    /// usual ones. `None` where any size is usual.
+    /// Sizes above this, in the unit of its parameters, are reported as implausible: ten times the usual ones. `None`
+    /// where any size is usual.
     pub implausible_above: Option<f64>,
     /// Sizes that are usual; for reading, never a prior.
     pub usual_size: Template,
-    /// What it is confused with, and what tells them apart.
+    /// What it is confused with, and what distinguishes them.
     pub confused_with: Template,
-    /// Conditions that poses have to vary to tell it from what it is confused with.
+    /// Conditions that poses have to vary to distinguish it from what it is confused with.
     pub distinguished_by: &'static [Condition],
-    /// The effect that it becomes where its setting goes to a limit: left out with that one, and
-    /// never beside it on the same joint.
+    /// The effect that it becomes where its setting goes to a limit: left out with that one, and never in one model
+    /// with it on the same joint.
     pub becomes: Option<&'static str>,
     /// Whether it changes with the values of other joints than its own.
     pub of_other_joints: bool,
@@ -390,7 +388,7 @@ pub struct About {
     pub role: Role,
     /// Whose error it is.
     pub owner: Owner,
-    /// What is known of its coefficients beforehand, one for each; empty: nothing.
+    /// The priors of its coefficients, one for each; empty: none.
     pub priors: &'static [Prior],
 }
 
@@ -424,8 +422,8 @@ impl About {
         priors: &[],
     };
 
-    /// What effects that cannot stand beside one another on a joint have in common: an effect and
-    /// what it becomes in the limit.
+    /// What effects that cannot be in one model on the same joint have in common: an effect and what it becomes in the
+    /// limit.
     pub fn family(&self) -> &'static str {
         self.becomes.unwrap_or(self.id)
     }

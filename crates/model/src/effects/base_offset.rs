@@ -1,4 +1,4 @@
-//! Base offset: the axis stands elsewhere in the measuring frame, `p += (dx, dy, dz)`.
+//! Base offset: the axis is elsewhere in the measuring frame, `p += (dx, dy, dz)`.
 
 use super::about::{About, Form, Quantity, Stage};
 use super::block::Block;

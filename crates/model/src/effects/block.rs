@@ -1,10 +1,9 @@
 //! A block of samples on its way from joint commands to measured points.
 //!
-//! The point of every sample flows from the tool to the measuring frame, and with it flow its
-//! derivatives with respect to every coefficient of the model (the *columns*): forward-mode
-//! differentiation, by blocks. An effect changes what flows past and adds the columns of its own
-//! coefficients; what comes later carries them on. So an effect knows nothing of the others, and
-//! the Jacobian is exact at any model, not only at zero.
+//! The point of every sample flows from the tool to the measuring frame, and with it its derivatives with respect to
+//! every coefficient of the model (the *columns*): forward-mode differentiation, by blocks. An effect changes the
+//! points and adds the columns of its own coefficients; later effects transform them. So an effect does not depend on
+//! the others, and the Jacobian is exact at any model, not only at zero.
 //!
 //! All points are in the base frame, at home behind the joints that have not acted yet, mm.
 
@@ -105,7 +104,7 @@ impl<const N: usize, F: Fn(f64, Lane) -> Turned<N>> Loop for EachTurned<'_, '_, 
     }
 }
 
-/// With respect to what a block carries derivatives.
+/// The variables of the derivatives of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Columns {
     /// Nothing.
@@ -171,8 +170,8 @@ impl<'a> Block<'a> {
         }
     }
 
-    /// Room for blocks that carry the derivatives with respect to the joints' commands, whatever
-    /// conditions else depend on: sides, speeds and travels stay what they are.
+    /// Room for blocks with the derivatives with respect to the joints' commands, whatever else depends on conditions:
+    /// sides, speeds and travels stay what they are.
     pub fn by_commands(robot: &'a Robot) -> Self {
         Self::with_columns(robot, Columns::Commands, robot.joints.len())
     }
@@ -281,15 +280,15 @@ impl<'a> Block<'a> {
         }
     }
 
-    /// Whether the block carries the derivatives by the commands, so that an effect that looks at
-    /// a command has to say how ([`Block::turn_by_command`], [`Block::shift_by_command`]).
+    /// Whether the block has the derivatives with respect to the commands, so that an effect that depends on a command
+    /// has to add its own ([`Block::turn_by_command`], [`Block::shift_by_command`]).
     pub fn by_command(&self) -> bool {
         self.by == Columns::Commands
     }
 
-    /// What an effect of the joint stage that was just applied changes because it looks at the
-    /// command of joint `of`: the derivative of its own joint's value by that command, beside what
-    /// the value carries on from before.
+    /// The change of an effect of the joint stage that was just applied because it depends on the command of joint
+    /// `of`: the derivative of its own joint's value with respect to that command, in addition to that of the value
+    /// before.
     pub fn turn_by_command(&mut self, me: &Placed, of: usize, f: impl Fn(Lane) -> f64) {
         if self.by_command() {
             let lanes = std::array::from_fn(|i| f(self.lane(me.joint, i)));
@@ -438,10 +437,10 @@ impl<'a> Block<'a> {
             return;
         }
         // Most effects add to the value, whatever it is.
-        if turned.by_input.iter().any(|carry| *carry != 1.0) {
+        if turned.by_input.iter().any(|factor| *factor != 1.0) {
             for tangent in self.tangents.iter_mut().filter(|t| t.joint == joint) {
-                for (value, carry) in tangent.lanes.iter_mut().zip(&turned.by_input) {
-                    *value *= carry;
+                for (value, factor) in tangent.lanes.iter_mut().zip(&turned.by_input) {
+                    *value *= factor;
                 }
             }
         }
@@ -502,8 +501,8 @@ impl<'a> Block<'a> {
             if self.by == Columns::None {
                 continue;
             }
-            for (lanes, carry) in carried.iter_mut().flatten().zip(jacobian.as_flattened()) {
-                lanes[i] = *carry;
+            for (lanes, factor) in carried.iter_mut().flatten().zip(jacobian.as_flattened()) {
+                lanes[i] = *factor;
             }
             if !asked {
                 continue;
@@ -537,8 +536,7 @@ impl<'a> Block<'a> {
         }
     }
 
-    /// Leaves the columns of coefficients that are held where they are zero, from the next samples
-    /// on: no fit moves them.
+    /// Leaves the columns of coefficients that are held zero, from the next samples on: no fit moves them.
     pub(crate) fn hold(&mut self, columns: impl Iterator<Item = usize>) {
         for column in columns {
             if let Some(held) = self.held.get_mut(column) {
@@ -547,7 +545,7 @@ impl<'a> Block<'a> {
         }
     }
 
-    /// Whether a column is anything but zero beside what [stays apart](Self::apart).
+    /// Whether a column is anything but zero apart from what [stays apart](Self::apart).
     pub(crate) fn is_live(&self, column: usize) -> bool {
         self.live[column]
     }
@@ -565,8 +563,8 @@ impl<'a> Block<'a> {
         free.map(|tangent| (tangent.column, tangent.joint, &tangent.lanes))
     }
 
-    /// Clears the columns that nothing has touched, so that they can be read as zero. Where columns stay apart,
-    /// `is_live` says so of each.
+    /// Clears the columns that nothing has changed, so that they can be read as zero. Where columns stay apart,
+    /// `is_live` tells which.
     pub fn settle(&mut self) {
         if self.by_joints_from.is_some() {
             return;

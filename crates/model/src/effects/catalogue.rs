@@ -82,8 +82,8 @@ pub fn form_with(
     others.find(|e| is_it(e)).unwrap_or(effect)
 }
 
-/// What models carry beside the catalogue's effects: the geometry of every calibration of a robot
-/// with several joints, which is never a candidate, and what has no name.
+/// Effects of models that are not in the catalogue: the geometry of every calibration of a robot with several joints,
+/// which is never a candidate, and what has no name.
 pub const BESIDE_THE_CATALOGUE: &[&Effect] = &[
     &MEASURING_FRAME,
     &TOOL_ORIENTATION,
@@ -97,7 +97,7 @@ pub const BESIDE_THE_CATALOGUE: &[&Effect] = &[
     &REST,
 ];
 
-/// The effect of this name; also what models carry beside the catalogue's effects.
+/// The effect of this name; also one that is not in the catalogue.
 pub fn find(id: &str) -> Option<&'static Effect> {
     let all = CATALOGUE.iter().chain(BESIDE_THE_CATALOGUE);
     all.copied().find(|effect| effect.about().id == id)
@@ -136,9 +136,9 @@ pub fn role(id: &str) -> Role {
     find(id).map_or(Role::Candidate, |effect| effect.about().role)
 }
 
-/// Place of an effect among all: effects act in this order, that of the catalogue. The measuring
-/// frame acts before what is told in the instrument's own axes (its scale, a shift, a drift), and
-/// what else stands beside the catalogue acts after everything of its stage.
+/// The rank of an effect among all: effects act in this order, that of the catalogue. The measuring frame acts before
+/// the effects in the instrument's own axes (its scale, a shift, a drift), and the others outside the catalogue act
+/// after everything of their stage.
 pub fn rank(effect: &Effect) -> usize {
     let id = effect.about().id;
     let place = |id: &str| CATALOGUE.iter().position(|e| e.about().id == id);

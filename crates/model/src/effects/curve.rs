@@ -62,7 +62,7 @@ pub enum CurveError {
 }
 
 impl Knots {
-    /// Whether knots can stand there.
+    /// Whether the knots are valid.
     ///
     /// # Errors
     /// See [`CurveError`].
@@ -155,7 +155,7 @@ impl Knots {
         q >= self.from && q <= self.to
     }
 
-    /// Where the knots stand, rad or mm; with a period those of the first one.
+    /// The places of the knots, rad or mm; with a period those of the first one.
     pub fn places(&self) -> Vec<f64> {
         let step = self.step();
         (0..self.count)

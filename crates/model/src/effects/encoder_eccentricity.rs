@@ -1,6 +1,6 @@
-//! Encoder eccentricity: the encoder's ring does not sit centred on the axis.
+//! Encoder eccentricity: the encoder's ring is not centred on the axis.
 //!
-//! The encoder reads `q = atan2(sin θ + ε sin φ, cos θ + ε cos φ)` where the joint stands at θ.
+//! The encoder reads `q = atan2(sin θ + ε sin φ, cos θ + ε cos φ)` where the joint is at θ.
 //! The cross product of (cos q, sin q) with that vector is zero, hence
 //! `sin(θ − q) = ε sin(q − φ)`, which gives θ without iteration: `θ = q + asin(ε sin(q − φ))`.
 //! The coefficients are a = ε cos φ and b = ε sin φ, so ε sin(q − φ) = a sin q − b cos q.

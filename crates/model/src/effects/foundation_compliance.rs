@@ -4,11 +4,10 @@
 //! M = Σ m r × g,   ω = C_x (M·x) x + C_y (M·y) y,   p = exp([ω]) p
 //! ```
 //!
-//! The weights are the load, at the tool's origin, and the links whose masses are given; all stand
-//! where the commands put them (what errors change in the moment is of second order). r counts from
-//! the origin of the base frame, where the robot is bolted down. x and y lie across gravity: x is
-//! the base frame's x (y, where gravity is along x) projected across it, y = down × x reversed, so
-//! that with gravity along −z they are the base frame's own.
+//! The weights are the load, at the tool's origin, and the links whose masses are given; all are where the commands
+//! put them (the effect of errors on the moment is of second order). r counts from the origin of the base frame, where
+//! the robot is bolted down. x and y are perpendicular to gravity: x is the base frame's x (y, where gravity is along
+//! x) projected, y = down × x reversed, so that with gravity along −z they are the base frame's own.
 
 use super::about::{About, Form, Over, Quantity, Stage};
 use super::base_offset::AXES;

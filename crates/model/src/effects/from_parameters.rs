@@ -25,14 +25,14 @@ pub enum TermError {
         effect: &'static str,
         /// What was given.
         name: String,
-        /// What there is.
+        /// The names that are accepted.
         accepted: String,
     },
     /// A parameter without which the effect has no meaning.
     Missing {
         /// The effect.
         effect: &'static str,
-        /// What is missing.
+        /// The name that is missing.
         name: &'static str,
     },
     /// A value outside what the effect takes.
@@ -43,7 +43,7 @@ pub enum TermError {
         name: &'static str,
         /// What was given.
         value: f64,
-        /// What it takes.
+        /// What is expected.
         expected: Text,
     },
 }

@@ -1,8 +1,8 @@
-//! What weighs on a joint and on the base, in the poses of a block: the load, which hangs at the
-//! tool's origin, and the links whose masses are given, where the commands put them.
+//! The gravity load of a joint and of the base, in the poses of a block: the load, which hangs at the tool's origin,
+//! and the links whose masses are given, where the commands put them.
 //!
-//! From the tool to the base mass m and first moment S = Σ m x are carried along: a turning joint
-//! (R, o) makes R (S − m o) + m o of it, a sliding one S + m q n.
+//! From the tool to the base mass m and first moment S = Σ m x are accumulated: a revolute joint (R, o) makes R (S − m
+//! o) + m o of it, a prismatic one S + m q n.
 
 use super::block::Block;
 use crate::kinematics::{Joint, JointKind};
@@ -40,7 +40,7 @@ impl Carried {
         Self { moment, ..self }
     }
 
-    /// What a joint carries, the joint itself at zero.
+    /// The first moment of what a joint supports, the joint itself at zero.
     fn by(block: &Block, joint: usize, lane: usize) -> Self {
         let robot = block.robot;
         let mut carried = Self::default();
@@ -58,8 +58,8 @@ impl Carried {
     }
 }
 
-/// Derivative of a first moment Σ m x of all that joint `first` carries by the command of a joint
-/// behind it, kg·mm per rad or mm; with `itself` the joint `first` has moved as well.
+/// Derivative of a first moment Σ m x of all that joint `first` supports with respect to the command of a joint behind
+/// it, kg·mm per rad or mm; with `itself` the joint `first` has moved as well.
 fn slope(block: &Block, first: usize, other: usize, lane: usize, itself: bool) -> [f64; 3] {
     let joints = &block.robot.joints;
     let along: [f64; 3] = joints[other].axis.direction.into_inner().into();
@@ -71,7 +71,7 @@ fn slope(block: &Block, first: usize, other: usize, lane: usize, itself: bool) -
         }
         JointKind::Prismatic => along.map(|v| v * carried.mass_kg),
     };
-    // Without a mass of its own a moment is only turned.
+    // Without a mass a moment is only turned.
     let mut slope = Carried {
         mass_kg: 0.0,
         moment,
@@ -119,8 +119,8 @@ pub(super) fn seen_by_slope(block: &Block, joint: usize, other: usize, lane: usi
     slope
 }
 
-/// First moment Σ m (x − c) about a point of a joint's axis of all that the joint carries, the joint
-/// itself at zero, kg·m.
+/// First moment Σ m (x − c) about a point of a joint's axis of all that the joint supports, the joint itself at zero,
+/// kg·m.
 pub(super) fn first_moment(block: &Block, joint: usize, lane: usize) -> [f64; 3] {
     let carried = Carried::by(block, joint, lane);
     let origin = block.robot.joints[joint].axis.point_mm.coords.into();

@@ -15,7 +15,7 @@ use crate::sessions::{Samples, Session};
 /// Which joint values the simulation starts from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum JointValues {
-    /// What the controller was told.
+    /// The commanded values.
     #[default]
     Commanded,
     /// What the controller read back.
@@ -121,8 +121,8 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// Some of the samples, in the given order, as they were in the whole: travel and the start
-    /// of time do not begin anew. Samples that are not there are left out.
+    /// Some of the samples, in the given order, as they were in the whole: travel and the start of time are kept.
+    /// Samples that are not there are left out.
     pub fn select(&self, samples: &[usize]) -> Inputs<'static> {
         let there: Vec<usize>;
         let samples = if samples.iter().all(|sample| *sample < self.len) {

@@ -1,11 +1,10 @@
 //! Joint compliance: `θ = q + C·τ(θ)`, τ gravity's torque about the joint at its true angle.
 //!
-//! Where the joint's torque was measured it is that torque, at the angle where the joint stands, and
-//! nothing of the load and the masses is needed: C is then a plain factor. Else
-//! the torque is that of the load, which hangs at the tool's origin, and of the links whose
-//! masses are given. With the joint turned by θ the lever turns, so the equation is implicit;
-//! Newton's method solves it. The other joints stand at their commands: what their own errors
-//! change in the torque is of second order.
+//! Where the joint's torque was measured it is that torque, at the angle of the joint, and nothing of the load and the
+//! masses is needed: C is then a plain factor. Else the torque is that of the load, which hangs at the tool's origin,
+//! and of the links whose masses are given. With the joint turned by θ the lever turns, so the equation is implicit;
+//! Newton's method solves it. The other joints are at their commands: the effect of their own errors on the torque is
+//! of second order.
 //!
 //! The torque about an axis (direction ω, point c) of a weight m g at x is ω·((x − c) × m g). As
 //! the joint turns everything behind it rigidly, torque and slope at θ are those of the first
@@ -21,7 +20,7 @@ mod about;
 mod unknown_masses;
 
 pub(super) static JOINT_COMPLIANCE: Effect = Effect {
-    // The form with fewer parameters first: a model's file tells the form by its parameters.
+    // The form with fewer parameters first: a model's file is read by its parameters.
     other_forms: &[&unknown_masses::SAG, &unknown_masses::WITH_LOAD],
     takes_form,
     ..Effect::new(ABOUT, act)
@@ -32,8 +31,8 @@ fn takes_form(survey: &Survey, joint: usize) -> Option<&'static Effect> {
     if survey.joints.len() == 1 || survey.link_masses || measured {
         return None;
     }
-    let told_by_load = survey.loads >= 2 && survey.largest_load_kg > 0.0;
-    Some(if told_by_load {
+    let determined_by_load = survey.loads >= 2 && survey.largest_load_kg > 0.0;
+    Some(if determined_by_load {
         &unknown_masses::WITH_LOAD
     } else {
         &unknown_masses::SAG

@@ -40,7 +40,7 @@ fn act(me: &Placed, block: &mut Block) {
         let fades = at.travel * per_fade;
         let left = (-fades).exp();
         let lag = -0.5 * at.dir * (1.0 - 2.0 * left);
-        // ∂lag/∂u with fade = f₀ eᵘ; nothing is left after a long way (∞·0 must not arise).
+        // ∂lag/∂u with fade = f₀ eᵘ; zero after a long way (∞·0 must not arise).
         let by_u = if left > 0.0 {
             at.dir * left * fades
         } else {

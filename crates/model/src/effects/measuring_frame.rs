@@ -1,7 +1,7 @@
 //! A free measuring frame: `p = R(ω) p + t` for the samples of one setup.
 //!
-//! Not an effect of the robot, so it is not in the catalogue: it says where the instrument stood
-//! in each setup. The coefficients are the rotation vector ω (rad) and the translation t (mm).
+//! Not an effect of the robot, so it is not in the catalogue: it is the place of the instrument in each setup. The
+//! coefficients are the rotation vector ω (rad) and the translation t (mm).
 //! Derivatives are those of a rotation that is multiplied from the left, exact at any ω, so a
 //! frame that is turned by 120° is fitted as well as one that is not; a rotation vector beyond half
 //! a turn is exchanged for the shorter one of the same rotation ([`unwind`]), which keeps clear of

@@ -12,7 +12,7 @@
 //! outwards through the joints to the base, and at last from the base to the measuring frame.
 //! The equations are those of the contract, exact; the derivatives are exact as well.
 //!
-//! Signs: a value says what the real robot does. A link that is 5 mm short has −5 mm.
+//! Signs: a value describes the real robot. A link that is 5 mm short has −5 mm.
 
 pub(crate) mod about;
 #[doc(hidden)]

@@ -1,8 +1,8 @@
-//! What a session must have for an effect to be testable in it, as data: the words, the check of a
-//! session, the check of a scenario.
+//! The needs of an effect: what a session must have for it to be testable, as data: the words, the check of a session,
+//! the check of a scenario.
 //!
-//! An effect lists its needs in its [`About`](super::About); the first that a session does not meet
-//! is the reason that a person reads. Needs that several effects share are here, one that a single
+//! An effect lists its needs in its [`About`](super::About); the first that a session does not meet is the reason that
+//! a person reads. Needs that several effects share are here, one of a single effect is in its file.
 //! effect has is in its file.
 
 use crate::kinematics::JointKind;
@@ -17,7 +17,7 @@ pub struct Need {
     pub what: Template,
     /// Why a session does not have it for a joint (counted from 0); `None` where it has.
     pub unmet: fn(&Survey, usize) -> Option<Text>,
-    /// Why a scenario does not offer it; `None` where it does, or where only samples can tell.
+    /// Why a scenario does not offer it; `None` where it does, or where only samples can show it.
     pub idle: fn(&AvailableColumns) -> Option<Template>,
 }
 
@@ -40,12 +40,12 @@ pub struct AvailableColumns {
     pub gravity: bool,
     /// Some pose is measured while the joints move.
     pub speed: bool,
-    /// Poses say from which side they are reached.
+    /// Whether poses state from which side they are reached.
     pub sides: bool,
 }
 
 impl Need {
-    /// A need that only the samples can tell of.
+    /// A need that only samples can show.
     pub const fn of_samples(what: Template, unmet: fn(&Survey, usize) -> Option<Text>) -> Self {
         Self {
             what,
@@ -74,7 +74,7 @@ impl Need {
     /// What a robot with several joints is called as a need.
     pub const SEVERAL_JOINTS: Template = phrase!("several joints");
 
-    /// So many different values of the joint; `what` says so in words.
+    /// So many different values of the joint; `what` states it in words.
     pub const fn values<const N: usize>(what: Template) -> Self {
         Self::of_samples(what, |survey, joint| survey.too_few_angles(joint, N))
     }

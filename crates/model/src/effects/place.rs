@@ -9,7 +9,7 @@ use super::block::Block;
 pub enum PlaceKind {
     /// A fixed point from which distances are measured, and what the instrument adds.
     Anchor,
-    /// Where an instrument of directions stands, and how it is turned.
+    /// The place of an instrument of directions, and its orientation.
     Station,
     /// A flat.
     Plane,
@@ -29,7 +29,7 @@ pub struct Place {
 /// Most coefficients that a place has.
 pub const MOST: usize = 6;
 
-/// What is the same of every place; its file says the rest.
+/// What is the same for every place; its file has the rest.
 pub(super) const ABOUT: About = About {
     stage: Stage::World,
     setting: Setting::Place,
@@ -44,5 +44,5 @@ pub(super) const ABOUT: About = About {
     ..About::PLAIN
 };
 
-/// The robot does what it does wherever it is measured from.
+/// The robot does not depend on where it is measured from.
 pub(super) const NOTHING: fn(&Placed, &mut Block) = |_, _| {};

@@ -1,8 +1,8 @@
 //! Unknown places that measurements refer to: anchors, stations, planes, sockets.
 //!
-//! They are no effects of the robot and change nothing that it does, so they are in no catalogue.
-//! They are terms of a model all the same, so that what was found of them is fitted, held, reported
-//! and saved like everything else. A part that the session states is held at what it states.
+//! They are no effects of the robot and do not change it, so they are in no catalogue. They are terms of a model
+//! nevertheless, so that what was found of them is fitted, held, reported and saved like everything else. A part that
+//! the session states is held at its stated value.
 //!
 //! ```text
 //! anchor   x, y, z mm, offset mm          station  rotation vector rad, x, y, z mm
@@ -16,7 +16,7 @@ use super::place::{MOST, Place, PlaceKind};
 use crate::kinematics::quaternion::log;
 use crate::sessions::{Anchor, Plane, References, Socket, Station};
 
-/// What a session says of a place, coefficient by coefficient; `None` where it does not.
+/// The stated coefficients of a place; `None` where the session does not state them.
 pub fn stated(references: &References, place: Place) -> [Option<f64>; MOST] {
     let mut all = [None; MOST];
     let mut put = |first: usize, values: &[f64]| {
@@ -79,8 +79,8 @@ pub fn name(references: &References, place: Place) -> &str {
     }
 }
 
-/// The term of a place that is not wholly known, from where it is as far as anybody can tell.
-/// `attitude_only` is for a station from which nothing but directions of the tool are seen.
+/// The term of a place that is not wholly known, from its starting values. `attitude_only` is for a station from which
+/// only directions of the tool are measured.
 pub(crate) fn term(
     references: &References,
     place: Place,

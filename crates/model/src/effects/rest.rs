@@ -18,7 +18,7 @@ const FADE: f64 = 0.25;
 /// Joints whose parts sag: the joint and two behind it; two moments each.
 pub const UNIT_SAGS: usize = 6;
 
-/// What a correction may follow beside the joints' values, see [`Along::conditions`].
+/// The variables of a correction in addition to the joints' values, see [`Along::conditions`].
 pub const CONDITIONS: usize = 5;
 
 /// A sine and a cosine of a sum of joint values.
@@ -53,8 +53,8 @@ pub struct Rest {
     pub condition_ranges: Vec<[f64; 2]>,
     /// The correction in each direction.
     pub along: [Along; 3],
-    /// Coefficients of everything else in the model, inner units, where nothing without a name is beside it:
-    /// for what cannot hold such a correction. Empty: not known.
+    /// Coefficients of everything else in the model, inner units, in a model without what has no name: for what cannot
+    /// hold such a correction. Empty: not known.
     pub geometry_alone: Vec<f64>,
 }
 
@@ -107,7 +107,7 @@ impl RestPoint<'_> {
 }
 
 impl Rest {
-    /// Whether it can stand on a robot with so many joints.
+    /// Whether it is valid for a robot with so many joints.
     ///
     /// # Errors
     /// See [`RestError`].
@@ -155,7 +155,7 @@ impl Rest {
 
     /// The correction in each direction, rad or mm.
     pub fn at(&self, at: &RestPoint) -> [f64; 3] {
-        // No memory of its own for each sample of a robot as they are.
+        // No separate memory for each sample of a usual robot.
         const USUAL: usize = 16;
         let count = at.q.len().min(self.ranges.len());
         let (mut usual, mut more) = ([0.0; USUAL], Vec::new());

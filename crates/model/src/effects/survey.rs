@@ -1,5 +1,4 @@
-//! What a session shows: which conditions vary, and how far. Effects ask it whether they can be
-//! tested at all.
+//! The conditions of a session: which vary, and how far. Effects use it to check whether they can be tested at all.
 
 use nalgebra::Vector3;
 
@@ -19,7 +18,7 @@ pub struct JointSurvey {
     pub kind: JointKind,
     /// Its frame.
     pub frame: JointFrame,
-    /// Number of commanded values that the instrument can tell apart, counted up to `ENOUGH`: a joint that a
+    /// Number of commanded values that the instrument can distinguish, counted up to `ENOUGH`: a joint that a
     /// controller holds still is read back with jitter.
     pub values: usize,
     /// From the smallest to the largest commanded value, rad or mm.
@@ -97,7 +96,7 @@ impl Survey {
         own.or(self.warming_c)
     }
 
-    /// The reason that stands against every effect that needs an angle of rotation.
+    /// The obstacle to every effect that needs an angle of rotation.
     pub fn not_revolute(&self, joint: usize) -> Option<Text> {
         let Some(own) = self.joints.get(joint) else {
             return Some(no_joint(joint));
@@ -106,7 +105,7 @@ impl Survey {
             .then(|| text!("the joint slides, the effect needs one that turns"))
     }
 
-    /// The reason that stands against every effect of the joint angle in a session at one angle.
+    /// The obstacle to every effect of the joint angle in a session at one angle.
     pub fn too_few_angles(&self, joint: usize, needed: usize) -> Option<Text> {
         let Some(own) = self.joints.get(joint) else {
             return Some(no_joint(joint));

@@ -1,5 +1,5 @@
-//! An effect, and an effect in a model: which joint, which setting, how large. Each names the other: a term
-//! is of an effect, and what an effect can say of itself it says of a term.
+//! An effect, and a term: an effect in a model, with its joint, its setting and its size. An effect describes its
+//! terms.
 
 use super::about::{About, Form, Quantity, Setting};
 use super::block::Block;
@@ -42,8 +42,8 @@ pub struct Term {
     pub label: Option<Arc<str>>,
 }
 
-/// Which coefficients of a term stay as they are: what the samples cannot tell from something
-/// else is zero, and is carried by that.
+/// Which coefficients of a term are held: what the samples cannot distinguish from something else is zero, and is
+/// attributed to that.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct FixedMask(u32);
 
@@ -140,7 +140,7 @@ impl Term {
         parameters
     }
 
-    /// The scanned parameter with what was solved for beside it, inner units.
+    /// The scanned parameter with what was solved for with it, inner units.
     fn scanned(&self) -> f64 {
         match self.effect.about().form {
             Form::Fading(_) => fade(self.setting, self.coefficient(1)),
@@ -262,8 +262,8 @@ pub fn parameters_to_see(effect: &Effect, kind: JointKind) -> Vec<(&'static str,
     shown.chain(phase).collect()
 }
 
-/// Names of what identification solves for, one for each coefficient; an amplitude and its phase
-/// stand for their two parts.
+/// Names of what identification solves for, one for each coefficient; an amplitude and its phase represent their two
+/// parts.
 pub(crate) fn coefficient_names_on(effect: &Effect, kind: JointKind) -> Vec<&'static str> {
     let mut names = names_on(effect, kind);
     match effect.about().form {
@@ -290,8 +290,8 @@ pub struct Effect {
     pub(super) about: About,
     /// Whether there is such an effect on a joint at all, whatever is measured.
     pub exists_on: fn(usize, JointKind) -> bool,
-    /// The same effect with other parameters, for sessions that know less of the machine; one whose
-    /// parameters another has as well stands before it.
+    /// The same effect with other parameters, for sessions that know less of the machine; one whose parameters another
+    /// has as well is before it.
     pub other_forms: &'static [&'static Effect],
     /// Which of [`Effect::other_forms`] a session like this one takes for a joint, if any.
     pub takes_form: fn(&Survey, usize) -> Option<&'static Effect>,

@@ -41,7 +41,7 @@ const SEVERAL_JOINTS: Need = Need::of_samples(Need::SEVERAL_JOINTS, |survey, _| 
         .then(|| text!("the robot has a single axis: its zero offset takes its place"))
 });
 
-/// Enough targets to tell how the tool is turned.
+/// Enough targets to determine the orientation of the tool.
 const THREE_TARGETS: Need =
     Need::of_samples(phrase!("three targets, or orientation"), |survey, _| {
         (survey.targets < fewest::OF_A_BODY).then(|| {

@@ -1,9 +1,8 @@
-//! Tool position: `M → M + R (x, y, z)`, R the tool frame's rotation at home: the targets sit
-//! elsewhere behind the last joint, all of them by the same shift, or one of them by its own.
+//! Tool position: `M → M + R (x, y, z)`, R the tool frame's rotation at home: the targets are elsewhere behind the
+//! last joint, all of them by the same shift, or one of them by its own.
 //!
-//! Belongs to the calibration of every robot with several joints and is never a candidate. The
-//! term's setting says whose part it is: 0 what all targets share, else the target, counted
-//! from 1. Coefficients are in the tool frame, mm.
+//! Belongs to the calibration of every robot with several joints and is never a candidate. The term's setting is 0 for
+//! the shift that all targets share, else the target, counted from 1. Coefficients are in the tool frame, mm.
 
 use super::about::{About, Form, Prior, Quantity, Role, Setting, Stage};
 use super::base_offset::AXES;

@@ -1,14 +1,14 @@
-//! What no name explains, as a smooth correction over a joint's commanded value.
+//! A smooth correction over a joint's commanded value, for errors that no name explains.
 //!
 //! ```text
 //! p = exp([ξ] s_t(q, dir)) (p + s_r(q, dir) r + s_a(q, dir) a),   s a [`Curve`], r and a turning with the joint
 //! ```
 //!
-//! Of a sliding joint r leads away from its axis and a is across both, so that the three directions are orthogonal.
+//! Of a prismatic joint r leads away from its axis and a is perpendicular to both, so that the three directions are
+//! orthogonal.
 //!
-//! Not an effect of the catalogue: it has no cause, so no search may name it. It has no
-//! coefficients either. Its curve comes from a diagnosis, where it was fitted beside the base and the
-//! names, and every later fit holds it still.
+//! Not an effect of the catalogue: it has no cause, so no search may name it. It has no coefficients either. Its curve
+//! comes from a diagnosis, where it was fitted together with the base and the names, and every later fit holds it.
 
 use std::sync::Arc;
 
@@ -23,7 +23,7 @@ use super::{Effect, Placed, Term};
 use crate::kinematics::JointKind;
 use crate::lanes::{LANES, add_scaled, cross, minus, turned};
 
-/// The name under which it stands in models.
+/// Its name in models.
 pub const UNEXPLAINED: &str = "unexplained";
 
 const ABOUT: About = About {
@@ -67,12 +67,12 @@ fn act(me: &Placed, block: &mut Block) {
     } else {
         Vec::new()
     };
-    carried(me, block, &values, &slopes);
+    displaced(me, block, &values, &slopes);
 }
 
 /// Moves the points of a joint's link along its motion, along its radius and along its axis, and the
 /// derivatives with it; `slopes` are the derivatives of the three by the commands of some joints.
-pub(super) fn carried(
+pub(super) fn displaced(
     me: &Placed,
     block: &mut Block,
     values: &[[f64; DIRECTIONS]; LANES],

@@ -7,8 +7,8 @@ pub struct Unit {
     pub symbol: &'static str,
     /// Inner units (mm, rad, s, kg, K, N·m) in one of it.
     pub scale: f64,
-    /// The largest value that makes any sense, inner units: a turn of one radian, a metre, a scale
-    /// of two. What the samples leave open within this range they do not determine.
+    /// The largest plausible value, inner units: a turn of one radian, a metre, a scale of two. What is uncertain
+    /// within this range is not determined.
     pub reach: f64,
     /// Whether a coefficient in it turns what is behind it.
     pub turns: bool,
@@ -92,7 +92,7 @@ impl Unit {
         ("urad_per_nm", Self::MICRORADIAN_PER_NM),
     ];
 
-    /// What the name of a parameter says: what it is (nothing where it is a unit alone), and its unit.
+    /// The quantity in the name of a parameter (empty where it is a unit alone), and its unit.
     pub fn of_name(name: &str) -> (&str, Self) {
         let named = Self::BY_ENDING.into_iter().find_map(|(ending, unit)| {
             let stem = name.strip_suffix(ending)?;

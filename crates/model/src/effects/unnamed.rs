@@ -1,4 +1,4 @@
-//! What predicts poses that no fit has seen and has no name: corrections of a joint's angle and of its
+//! Corrections that predict poses that no fit has seen and have no name: corrections of a joint's angle and of its
 //! axis that follow the poses, with numbers that a diagnosis set and no later fit changes.
 //!
 //! ```text
@@ -14,7 +14,7 @@ use super::about::{About, Form, Role, Stage};
 use super::block::Block;
 use super::needs::Need;
 use super::torque::torque_nm;
-use super::unexplained::carried;
+use super::unexplained::displaced;
 use super::{Effect, Inputs, Placed, Term};
 use crate::kinematics::{JointKind, Robot};
 use crate::lanes::LANES;
@@ -82,7 +82,7 @@ fn act(me: &Placed, block: &mut Block) {
             slopes.push((joint, slope));
         }
     }
-    carried(me, block, &values, &slopes);
+    displaced(me, block, &values, &slopes);
 }
 
 impl Term {
@@ -94,10 +94,10 @@ impl Term {
         }
     }
 
-    /// The same with the coefficients that the rest of the model has without it.
+    /// The same with the coefficients of the rest of the model without it.
     #[doc(hidden)]
     #[must_use]
-    pub fn beside_geometry(&self, alone: &[f64]) -> Self {
+    pub fn with_geometry_alone_as(&self, alone: &[f64]) -> Self {
         let rest = self.rest.as_deref().map(|rest| {
             Arc::new(Rest {
                 geometry_alone: alone.to_vec(),

@@ -1,4 +1,4 @@
-//! What people call the parameters of effects: the words of their names in files.
+//! The words for the names of parameters of effects in files.
 
 use super::units::Unit;
 use crate::text::{Template, Text};

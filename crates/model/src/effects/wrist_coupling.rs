@@ -1,9 +1,8 @@
 //! Coupling: `θ_j = q_j + κ q_i`, j the joint and i another one, in a wrist the one before it.
 //!
-//! In a wrist that is driven through hollow shafts a joint's drive also turns the joints behind
-//! it, and in an arm with a parallelogram joint 2 turns joint 3; the controller undoes it with a
-//! ratio, and an error of that ratio is left. Which joint it is, the search finds: it tries every
-//! other one that turns.
+//! In a wrist that is driven through hollow shafts a joint's drive also turns the joints behind it, and in an arm with
+//! a parallelogram joint 2 turns joint 3; the controller compensates it with a ratio, and an error of that ratio
+//! remains. The search finds which joint it is: it tries every other one that turns.
 
 use super::about::{About, Form, Listed, Quantity, Setting};
 use super::block::{Block, Turned};

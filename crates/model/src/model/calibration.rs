@@ -43,17 +43,18 @@ impl RegionalCorrection {
 pub struct ResidualStep {
     /// What was done.
     pub what: String,
-    /// The gap after it, mm.
+    /// The RMS error after it, mm.
     pub gap_mm: f64,
-    /// The gap on samples that no fit has seen, mm.
+    /// The RMS error on samples that no fit has seen, mm.
     pub held_out_mm: Option<f64>,
-    /// The gap on runs that no fit has seen, at values of the joint that it has seen, mm; where there are several runs.
+    /// The RMS error on runs that no fit has seen, at values of the joint that it has seen, mm; where there are
+    /// several runs.
     pub runs_held_out_mm: Option<f64>,
-    /// The gap at values of the only joint that no fit has seen, mm; where their neighbours do not predict them.
+    /// The RMS error at values of the only joint that no fit has seen, mm; where their neighbours do not predict them.
     pub values_held_out_mm: Option<f64>,
 }
 
-/// The conditions that a session covered; `None` where it says nothing of them.
+/// The conditions that a session covered; `None` where it does not state them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Conditions {
     /// Loads at the tool's origin, kg.
@@ -82,12 +83,12 @@ pub struct Calibration {
     /// For every joint the step in which it was measured, rad or mm; 0 where steps were uneven. `None`: of no joint
     /// they were equal.
     pub measured_steps: Option<Vec<f64>>,
-    /// Least and largest load of the measured samples, kg; `None`: the session does not say.
+    /// Least and largest load of the measured samples, kg; `None`: the session does not state it.
     pub load_kg: Option<[f64; 2]>,
     /// Tolerance of the session, mm.
     pub tolerance_mm: Option<f64>,
-    /// Hash of the model whose table was active while the session was measured. Such a calibration
-    /// says what is left, and no table is made from it: it would lack what the active one does.
+    /// Hash of the model whose table was active while the session was measured. Such a calibration contains the
+    /// residual, and no table is made from it: it would lack what the active one does.
     pub compensated_by: Option<String>,
     /// Corrections of the session's set-up: the conventions of the controller and the instrument. Everything
     /// else here is as it is after them.
@@ -97,7 +98,7 @@ pub struct Calibration {
     /// Samples of the session, counted from 0, that the fit set aside as suspected outliers; `None` where that
     /// is not known.
     pub set_aside: Option<Vec<usize>>,
-    /// The gap, step by step; the first is the nominal robot's.
+    /// The RMS error, step by step; the first is the nominal robot's.
     pub history: Vec<ResidualStep>,
     /// Hash of the samples that it came from.
     pub samples_hash: String,
@@ -198,7 +199,7 @@ impl Calibration {
         }
     }
 
-    /// What has to hold besides before it is handed out: its covariance is that of its coefficients.
+    /// What else has to hold before it is handed out: its covariance is that of its coefficients.
     ///
     /// # Errors
     /// [`Rejected`] where it is another model's.

@@ -133,8 +133,7 @@ impl Model {
         Self::new(self.robot.clone(), kept)
     }
 
-    /// The same model with its other effects as they are best where nothing that predicts without a name is
-    /// beside them: for what cannot hold that.
+    /// The same model with its other effects as they are best without what has no name: for what cannot hold that.
     #[must_use]
     pub fn with_geometry_alone(&self) -> Self {
         let rest = self.terms.iter().find_map(Term::rest);
@@ -202,7 +201,7 @@ impl Model {
         }
     }
 
-    /// Where the model says that the samples' reflectors are.
+    /// The predicted places of the samples' reflectors.
     pub fn predict(&self, inputs: &Inputs) -> Positions {
         let n = inputs.len();
         let mut positions = Positions {
@@ -256,7 +255,7 @@ impl Model {
         block.settle();
     }
 
-    /// Figures of an effect in a session beside its parameters; see [`crate::effects::Effect::figures`].
+    /// Figures of an effect in a session in addition to its parameters; see [`crate::effects::Effect::figures`].
     pub fn figures_of(&self, term: &Term, inputs: &Inputs) -> Vec<(&'static str, Option<f64>)> {
         let joints = self.robot.joints.len();
         let inputs = &*inputs.fitted_to(joints);

@@ -1,4 +1,4 @@
-//! What the coefficients of a model are called in messages.
+//! The names of a model's coefficients in messages.
 
 use super::Model;
 use crate::effects::term::coefficient_names_on;
@@ -20,7 +20,7 @@ pub fn name_on_joint(effect: &Effect, joint: usize, robot: &Robot) -> Text {
     }
 }
 
-/// `effect: parameter` for every coefficient; an amplitude and its phase stand as their two parts.
+/// `effect: parameter` for every coefficient; an amplitude and its phase as their two parts.
 pub fn coefficient_names(model: &Model) -> Vec<Text> {
     let names = model.terms().iter().flat_map(|term| {
         let about = term.effect.about();
@@ -50,7 +50,7 @@ pub fn coefficient_names(model: &Model) -> Vec<Text> {
     names.collect()
 }
 
-/// Coefficients that stand together.
+/// Coefficients that belong together.
 pub fn together(names: impl IntoIterator<Item = Text>) -> Text {
     let names = names.into_iter();
     let all = names.reduce(|all, next| text!("{first} with {next}", first = all, next));

@@ -10,9 +10,9 @@
 //! q = c_n(… c_2(c_1(q_raw)))          q_raw = c_1⁻¹(… c_n⁻¹(q))
 //! ```
 //!
-//! Joint values are in rad and mm. Corrections of single samples (rows that were paired anew, copies, a load in
-//! another unit, a target that sits elsewhere) are about the one session that the model came from: they are kept so
-//! that this session is read as it was fitted, and no other is.
+//! Joint values are in rad and mm. Corrections of single samples (rows that were paired again, copies, a load in
+//! another unit, a target that is elsewhere) are about the one session that the model came from: they are kept so that
+//! this session is read as it was fitted, and no other is.
 
 use std::borrow::Cow;
 

@@ -1,9 +1,8 @@
-//! Shapes without a name: what a gap may look like when no effect of the catalogue explains it.
+//! Shapes without a name: the forms of an error that no effect of the catalogue explains.
 //!
-//! A shape is a function of one variable (joint angle, time, speed, …) times a direction
-//! (along the motion of a joint, along its radius, along its axis, or the axes of the measuring
-//! frame). They take part in the search beside the names, so that a name cannot win by imitating
-//! them, and they pay for every setting that was tried to find them.
+//! A shape is a function of one variable (joint angle, time, speed, …) times a direction (along the motion of a joint,
+//! along its radius, along its axis, or the axes of the measuring frame). They take part in the search together with
+//! the names, so that a name cannot win by imitating them, and they pay for every setting that was tried to find them.
 
 use std::f64::consts::TAU;
 
@@ -99,7 +98,7 @@ pub enum Profile {
 /// A shape without a name over a joint, time, load or temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shape {
-    /// What it depends on.
+    /// Its variable.
     pub variable: Variable,
     /// Where it pushes.
     pub direction: Direction,
@@ -141,7 +140,7 @@ impl Profile {
         }
     }
 
-    /// How many numbers of its own it has: where it is, how wide, how often it returns.
+    /// The number of its own parameters: where it is, how wide, how often it returns.
     pub fn settings(&self) -> usize {
         match self {
             Self::Bump { .. } | Self::Plateau { .. } => 2,
@@ -230,7 +229,7 @@ impl Variable {
         }
     }
 
-    /// A value as it stands in the file.
+    /// A value as in the file.
     pub fn shown(self, v: f64, prismatic: impl Fn(usize) -> bool) -> f64 {
         match self {
             Self::Joint(j) | Self::Speed(j) if !prismatic(j) => deg_from_rad(v),

@@ -1,4 +1,4 @@
-//! A block of observations as rows: what is left of each, and how that follows every coefficient.
+//! A block of observations as rows: their residuals, and their derivatives with respect to every coefficient.
 
 use crate::effects::FixedMask;
 use crate::effects::place::MOST;
@@ -18,11 +18,11 @@ pub struct RowBlock {
     pub(super) live: Vec<usize>,
     /// Which rows there are.
     pub rows: [[bool; LANES]; 3],
-    /// The length of what is left in inner units of the kind: mm or rad.
+    /// The length of the residual in inner units of the kind: mm or rad.
     pub length: Lanes,
     /// The same as mm: an angle times the distance across which it is seen.
     pub length_mm: Lanes,
-    /// What is left along x, y, z, mm, for points with all of their coordinates; else NaN.
+    /// The residual along x, y, z, mm, for points with all of their coordinates; else NaN.
     pub along: Lanes3,
 }
 

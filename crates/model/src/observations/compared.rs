@@ -1,5 +1,5 @@
-//! What is left of every observation, and how it depends on what samples share: where their target sits in the
-//! tool, how their setup stands, where the place is that they refer to.
+//! The residual of every observation, and its derivatives with respect to what samples share: the place of their
+//! target in the tool, the frame of their setup, the place that they refer to.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -10,13 +10,13 @@ use crate::sessions::{Group, Session, SessionCorrection};
 
 use super::{Layer, Residual};
 
-/// One observation beside a model, in units of its noise.
+/// One observation compared with a model, in units of its noise.
 #[derive(Debug, Clone)]
 pub struct ComparedObservation {
     /// The sample.
     pub sample: usize,
     /// Measured − predicted, and its derivatives.
-    pub left: Residual,
+    pub residual: Residual,
     /// Where its target is, mm.
     point: Vector3<f64>,
     /// The tool's axes in the measuring frame.
@@ -24,25 +24,27 @@ pub struct ComparedObservation {
 }
 
 impl ComparedObservation {
-    /// How what is predicted moves with the numbers of a group, row by row: mm along x, y, z of the tool of a target;
-    /// a rotation vector and mm of a setup, rad; the coefficients of a place.
+    /// The derivative of the prediction with respect to the numbers of a group, row by row: mm along x, y, z of the
+    /// tool of a target; a rotation vector and mm of a setup, rad; the coefficients of a place.
     pub fn by(&self, group: Group) -> [[f64; MOST]; 3] {
         std::array::from_fn(|row| match group {
             Group::Target => {
-                let along = self.turn.tr_mul(&Vector3::from(self.left.by_point[row]));
+                let along = self
+                    .turn
+                    .tr_mul(&Vector3::from(self.residual.by_point[row]));
                 [along.x, along.y, along.z, 0.0, 0.0, 0.0]
             }
             Group::Setup => {
-                let along = Vector3::from(self.left.by_point[row]);
+                let along = Vector3::from(self.residual.by_point[row]);
                 let about = self.point.cross(&along);
                 [about.x, about.y, about.z, along.x, along.y, along.z]
             }
-            _ => self.left.by_place[row],
+            _ => self.residual.by_place[row],
         })
     }
 }
 
-/// Every observation that there is to be fitted beside a model, sample by sample.
+/// Every observation to be fitted, compared with a model, sample by sample.
 pub fn compared_with(
     session: &Session,
     values: JointValues,
@@ -64,7 +66,7 @@ pub fn compared_with(
         .collect();
     let rows = layer.weighed(model);
     let mut all = Vec::with_capacity(rows.len());
-    for (item, left) in rows.into_iter().enumerate() {
+    for (item, residual) in rows.into_iter().enumerate() {
         if !layer.fit[item] {
             continue;
         }
@@ -72,7 +74,7 @@ pub fn compared_with(
         let axis = |along: usize| Vector3::from(turned[along][item]) - point;
         all.push(ComparedObservation {
             sample: layer.items[item].sample,
-            left,
+            residual,
             point,
             turn: Matrix3::from_columns(&[axis(0), axis(1), axis(2)]),
         });

@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::numeric::LONGEST_TURN;
 use crate::{budget, rounding};
 
-/// What is missing of each condition, mm, and how it falls with the point.
+/// The error of each condition, mm, and its derivatives with respect to the point.
 pub(crate) type Missing = (Vec<f64>, Vec<[f64; 3]>);
 
 /// Moves the one pose of these inputs by the shortest way of the joints (Newton's method) until nothing

@@ -1,4 +1,4 @@
-//! What a fit leaves of each kind of measurement: its noise, what stands apart, its errors.
+//! Figures of each kind of measurement after a fit: its noise, outliers, its errors.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -70,9 +70,9 @@ struct WhitenedRows {
     along: Vec<[f64; 3]>,
 }
 
-fn left(layer: &Layer, model: &Model) -> WhitenedRows {
+fn residuals(layer: &Layer, model: &Model) -> WhitenedRows {
     let n = layer.items.len();
-    let mut left = WhitenedRows {
+    let mut residuals = WhitenedRows {
         rows: vec![[0.0; 3]; n],
         length: vec![f64::NAN; n],
         length_mm: vec![f64::NAN; n],
@@ -82,34 +82,34 @@ fn left(layer: &Layer, model: &Model) -> WhitenedRows {
         for (lane, item) in block.items.iter().enumerate() {
             let Some(item) = *item else { continue };
             debug_assert!(lane < LANES);
-            left.rows[item] = [0, 1, 2].map(|row| block.left[row][lane] / layer.unit_mm);
-            left.along[item] = [0, 1, 2].map(|axis| block.along[axis][lane]);
-            left.length[item] = block.length[lane];
-            left.length_mm[item] = block.length_mm[lane];
+            residuals.rows[item] = [0, 1, 2].map(|row| block.left[row][lane] / layer.unit_mm);
+            residuals.along[item] = [0, 1, 2].map(|axis| block.along[axis][lane]);
+            residuals.length[item] = block.length[lane];
+            residuals.length_mm[item] = block.length_mm[lane];
         }
     });
-    left
+    residuals
 }
 
 /// How many standard deviations of itself a noise has to be below the stated one to be believed instead.
 const CLEARLY: f64 = 3.0;
 
-/// Looks at what a model leaves: outliers of each kind beside its own bulk, and the noise of kinds
-/// whose σ is not stated. `rank` is the number of coefficients that the rows carry, `covariance` theirs in units of the
+/// Judges the residuals of a model: outliers of each kind compared with its own bulk, and the noise of kinds whose σ
+/// is not stated. `rank` is the number of coefficients that the rows determine, `covariance` theirs in units of the
 /// noise times the layer's. Returns whether anything that matters has changed.
 ///
-/// Where several kinds were measured, one whose noise is clearly below what is stated weighs as it is: a
-/// careful figure in the data sheet of one instrument would leave the robot to the other. A noise above the
-/// stated one may be an effect that is still missing, and changes no weight.
+/// Where several kinds were measured, one whose noise is clearly below its stated value has the weight of the former:
+/// a careful figure in the data sheet of one instrument would leave the robot to the other. A noise above the stated
+/// one may be an effect that is still missing, and changes no weight.
 pub fn judge(
     layer: &mut Layer,
     model: &Model,
     rank: usize,
     covariance: impl FnOnce() -> DMatrix<f64>,
 ) -> bool {
-    let left = left(layer, model);
+    let residuals = residuals(layer, model);
     // What the fit has not seen is farther off for that.
-    let mut as_seen = left.rows.clone();
+    let mut as_seen = residuals.rows.clone();
     if layer.used.contains(&false) {
         let rows = layer.used_rows();
         for (item, leverage) in leverages_of_unseen(layer, model, &covariance()) {
@@ -130,7 +130,7 @@ pub fn judge(
     let all = layer.used_rows();
     let freedom = all.saturating_sub(rank).max(1) as f64 / all.max(1) as f64;
     for kind in 0..KINDS.len() {
-        let Some((found, rows)) = spread(layer, kind, &left) else {
+        let Some((found, rows)) = spread(layer, kind, &residuals) else {
             continue;
         };
         let found = found * layer.sigma[kind];
@@ -174,8 +174,8 @@ fn leverages_of_unseen(
     leverages
 }
 
-/// The stated noise of a kind, or what is found where that is clearly less, were all coefficients fitted to
-/// this kind alone.
+/// The stated noise of a kind, or the estimated one where that is clearly less, were all coefficients fitted to this
+/// kind alone.
 fn no_larger(stated: f64, found: f64, rows: usize, rank: usize) -> f64 {
     let freedom = rows.saturating_sub(rank).max(1) as f64;
     let found = found * (rows as f64 / freedom).sqrt();
@@ -187,14 +187,14 @@ fn no_larger(stated: f64, found: f64, rows: usize, rank: usize) -> f64 {
     }
 }
 
-/// Which observations stand apart from their kind beside a model.
-pub fn apart_beside(layer: &Layer, model: &Model) -> Vec<bool> {
-    outlying(layer, &left(layer, model).rows)
+/// Which observations are outliers of their kind given a model.
+pub fn outliers_given(layer: &Layer, model: &Model) -> Vec<bool> {
+    outlying(layer, &residuals(layer, model).rows)
 }
 
-/// Which observations stand apart from their kind, from what is left of each in units of its noise;
-/// those to be fitted make the bulk.
-pub fn outlying(layer: &Layer, left: &[[f64; 3]]) -> Vec<bool> {
+/// Which observations are outliers of their kind, from the residual of each in units of its noise; those to be fitted
+/// make the bulk.
+pub fn outlying(layer: &Layer, residuals: &[[f64; 3]]) -> Vec<bool> {
     let mut marked = vec![false; layer.items.len()];
     for kind in 0..KINDS.len() {
         for rows in 1..=3 {
@@ -202,7 +202,7 @@ pub fn outlying(layer: &Layer, left: &[[f64; 3]]) -> Vec<bool> {
                 .filter(|i| layer.items[*i].kind == kind && layer.items[*i].rows == rows)
                 .collect();
             let axes: Vec<Vec<f64>> = (0..rows)
-                .map(|row| own.iter().map(|i| left[*i][row]).collect())
+                .map(|row| own.iter().map(|i| residuals[*i][row]).collect())
                 .collect();
             let axes: Vec<&[f64]> = axes.iter().map(Vec::as_slice).collect();
             let counts: Vec<bool> = own.iter().map(|i| layer.fit[*i]).collect();
@@ -215,25 +215,25 @@ pub fn outlying(layer: &Layer, left: &[[f64; 3]]) -> Vec<bool> {
     marked
 }
 
-/// What a model leaves of every row that counts, in units of its noise.
+/// The residual of every row that counts, in units of its noise.
 pub fn whitened(layer: &Layer, model: &Model) -> Vec<f64> {
-    let left = left(layer, model);
+    let residuals = residuals(layer, model);
     let items = (0..layer.items.len()).filter(|i| layer.used[*i]);
     items
-        .flat_map(|i| left.rows[i].into_iter().take(layer.items[i].rows))
+        .flat_map(|i| residuals.rows[i].into_iter().take(layer.items[i].rows))
         .collect()
 }
 
-/// What is left of a kind whose noise is stated.
+/// The residuals of a kind whose noise is stated.
 pub struct ResidualsOfKind {
     pub name: &'static str,
     /// Squares of its rows that count, in units of the stated noise.
     pub squares: Vec<f64>,
 }
 
-/// What a model leaves of every kind whose noise is stated.
-pub fn left_of_kinds(layer: &Layer, model: &Model) -> Vec<ResidualsOfKind> {
-    let left = left(layer, model);
+/// The residuals of every kind whose noise is stated.
+pub fn residuals_of_kinds(layer: &Layer, model: &Model) -> Vec<ResidualsOfKind> {
+    let residuals = residuals(layer, model);
     let mut all = Vec::new();
     for (kind, own) in KINDS.iter().enumerate() {
         let items =
@@ -243,7 +243,7 @@ pub fn left_of_kinds(layer: &Layer, model: &Model) -> Vec<ResidualsOfKind> {
         };
         let to_stated = layer.sigma[kind] / stated;
         let squares: Vec<f64> = items
-            .flat_map(|i| left.rows[i].into_iter().take(layer.items[i].rows))
+            .flat_map(|i| residuals.rows[i].into_iter().take(layer.items[i].rows))
             .map(|e| (e * to_stated).powi(2))
             .collect();
         if !squares.is_empty() {
@@ -255,11 +255,11 @@ pub fn left_of_kinds(layer: &Layer, model: &Model) -> Vec<ResidualsOfKind> {
 }
 
 /// Root mean square over the whitened rows of the items of a kind that count, and their number.
-fn spread(layer: &Layer, kind: usize, left: &WhitenedRows) -> Option<(f64, usize)> {
+fn spread(layer: &Layer, kind: usize, residuals: &WhitenedRows) -> Option<(f64, usize)> {
     let (mut sum, mut count) = (0.0, 0);
     for (i, item) in layer.items.iter().enumerate() {
         if item.kind == kind && layer.used[i] {
-            sum += left.rows[i].iter().map(|v| v * v).sum::<f64>();
+            sum += residuals.rows[i].iter().map(|v| v * v).sum::<f64>();
             count += item.rows;
         }
     }
@@ -269,7 +269,7 @@ fn spread(layer: &Layer, kind: usize, left: &WhitenedRows) -> Option<(f64, usize
 /// Deviations of every sample: along the axes of a point, and a length in mm; where a sample was
 /// measured in several ways, in the one that looks at where the target is. NaN without any.
 pub fn deviations(layer: &Layer, model: &Model) -> Deviations {
-    let left = left(layer, model);
+    let residuals = residuals(layer, model);
     let n = layer.session.samples.len();
     let mut deviations = Deviations {
         axes_mm: std::array::from_fn(|_| vec![f64::NAN; n]),
@@ -277,21 +277,21 @@ pub fn deviations(layer: &Layer, model: &Model) -> Deviations {
     };
     for i in layer.length_items() {
         let sample = layer.items[i].sample;
-        deviations.length_mm[sample] = left.length_mm[i];
+        deviations.length_mm[sample] = residuals.length_mm[i];
         for axis in 0..3 {
-            deviations.axes_mm[axis][sample] = left.along[i][axis];
+            deviations.axes_mm[axis][sample] = residuals.along[i][axis];
         }
     }
     deviations
 }
 
-/// Root mean square of a coordinate of what is a length in mm, beside a fit of so many coefficients: the noise
-/// as it was found, without a row of an angle in it. `None` where nothing counts.
+/// Root mean square of a coordinate of what is a length in mm, for a fit of so many coefficients: the estimated noise,
+/// without a row of an angle in it. `None` where nothing counts.
 pub fn coordinate_mm(layer: &Layer, model: &Model, rank: f64) -> Option<f64> {
-    let left = left(layer, model);
+    let residuals = residuals(layer, model);
     let (mut sum, mut rows) = (0.0, 0);
     for i in layer.length_items().into_iter().filter(|i| layer.used[*i]) {
-        sum += left.length_mm[i].powi(2);
+        sum += residuals.length_mm[i].powi(2);
         rows += layer.items[i].rows;
     }
     // Every row pays for the coefficients with its share.
@@ -301,7 +301,7 @@ pub fn coordinate_mm(layer: &Layer, model: &Model, rank: f64) -> Option<f64> {
 
 /// The figures of every kind that was measured; `before` is the nominal robot.
 pub fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindFigures> {
-    let (then, now) = (left(layer, before), left(layer, after));
+    let (then, now) = (residuals(layer, before), residuals(layer, after));
     let mut all = Vec::new();
     for (kind, own) in KINDS.iter().enumerate() {
         let (unit, factor) = own.about().unit.read();
@@ -324,12 +324,12 @@ pub fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindFigures>
                 .collect();
             let many = are_the_rule(own.len() - clean.len(), own.len());
             let counted = if many { &own } else { &clean };
-            let rms = |left: &WhitenedRows| {
-                let sum: f64 = counted.iter().map(|i| left.length[*i].powi(2)).sum();
+            let rms = |residuals: &WhitenedRows| {
+                let sum: f64 = counted.iter().map(|i| residuals.length[*i].powi(2)).sum();
                 (sum / counted.len() as f64).sqrt() * factor
             };
-            let max = |left: &WhitenedRows| {
-                own.iter().map(|i| left.length[*i]).fold(0.0, f64::max) * factor
+            let max = |residuals: &WhitenedRows| {
+                own.iter().map(|i| residuals.length[*i]).fold(0.0, f64::max) * factor
             };
             (!own.is_empty()).then(|| Errors {
                 count: own.len(),

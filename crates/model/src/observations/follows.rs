@@ -1,4 +1,5 @@
-//! How the rows of a block follow what their targets do: known for all lanes, a column of them is made at once.
+//! The chain rule from targets to rows: with the derivatives of the targets known for all lanes, a column of rows is
+//! made at once.
 //!
 //! Of what turns a joint alone, the rows of the joint's value are made once; each coefficient does that times how
 //! much it turns the joint in every sample:

@@ -1,4 +1,4 @@
-//! What no measurement at hand can show, known from its kinds alone.
+//! The gauge of the measurements: what none of them can determine, by their kinds alone.
 //!
 //! Distances from unknown anchors, bearings from unknown stations, touches on unknown planes and
 //! targets in unknown sockets all stay as they are when the robot and the places are moved together: the
@@ -6,8 +6,8 @@
 //! (7). A known length closes it: a joint that slides, targets of known arrangement, a distance
 //! between two sockets, two known places.
 //!
-//! The base is held where it is; the places carry it. The size is held where the priors alone would
-//! have it: for the direction v in which everything grows and prior precisions Λ,
+//! The base is held where it is; the places absorb it. The size is held where the priors alone would have it: for the
+//! direction v in which everything grows and prior precisions Λ,
 //!
 //! ```text
 //! wᵀ x = 0,   w = Λ v / (vᵀ Λ v)
@@ -29,13 +29,13 @@ use crate::effects::{Place, PlaceKind};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Open {
-    /// Where the base stands.
+    /// The place of the base.
     pub base: bool,
     /// How large everything is.
     pub size: bool,
 }
 
-/// What the kinds and places that are to be fitted leave open.
+/// What the kinds and places that are to be fitted do not determine.
 pub fn open(layer: &Layer) -> Open {
     let session = layer.session;
     let references = &session.instrument.references;
@@ -95,12 +95,12 @@ pub fn open(layer: &Layer) -> Open {
 pub struct Size {
     /// w, one for each coefficient of the model.
     pub weights: Vec<f64>,
-    /// Standard deviation of the size that the priors leave, as a ratio.
+    /// Standard deviation of the size under the priors, as a ratio.
     pub sigma: f64,
 }
 
-/// The size of a model as its coefficients make it; `sigma` says how far each may be from zero.
-/// `None` where no coefficient makes anything larger.
+/// The size of a model by its coefficients; `sigma` states the standard deviation of each from zero. `None` where no
+/// coefficient makes anything larger.
 pub fn size(layer: &Layer, model: &Model, sigma: &[Option<f64>]) -> Option<Size> {
     let count = model.coefficient_count();
     // Growth about any point, however the whole is turned and moved besides.

@@ -6,7 +6,7 @@ use crate::text::{Template, Text};
 
 use super::residual::{Residual, Seen};
 
-/// Where an angle has no distance of its own it is as many mm as at one metre.
+/// An angle without a distance counts as many mm as at one metre.
 pub const ANGLES_AT_MM: f64 = 1000.0;
 
 /// What of the prediction a kind looks at.
@@ -37,7 +37,7 @@ impl Unit {
     }
 }
 
-/// What is written about a kind.
+/// The description of a kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AboutKind {
     /// Its name in answers.
@@ -70,7 +70,7 @@ pub trait Kind: Sync {
     /// Its name, unit and noise.
     fn about(&self) -> &'static AboutKind;
 
-    /// Whether a sample has such a measurement; where nothing else says so, if it names its place.
+    /// Whether a sample has such a measurement; by default, whether it names its place.
     fn measured(&self, session: &Session, sample: usize) -> bool {
         self.place(session, sample).is_some()
     }
@@ -94,7 +94,7 @@ pub trait Kind: Sync {
         }
     }
 
-    /// What is left of the measurement of a sample, and how that depends on what was seen.
+    /// The residual of the measurement of a sample, and its derivatives.
     fn residual(&self, session: &Session, sample: usize, seen: &Seen) -> Residual;
 
     /// Writes down what an instrument would show of a sample at this place, when `noise` (inner units,

@@ -1,10 +1,10 @@
-//! The observations of a session beside a model: rows of residuals and derivatives.
+//! The observations of a session compared with a model: rows of residuals and derivatives.
 //!
 //! An [`Item`] is one observation of one sample; a sample with a pose has two, its point and its
 //! orientation. Items flow through the model in two streams of blocks ([`super::streams`]).
 //!
-//! Rows are in units of their noise times that of the layer (`unit_mm`), so that what is a number of
-//! mm to an estimator of points is one here too.
+//! Rows are in units of their noise times that of the layer (`unit_mm`), so that a number of mm of an estimator of
+//! points is one here too.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -41,7 +41,7 @@ pub struct Layer<'a> {
     /// What a row of a residual of one σ is, mm.
     pub unit_mm: f64,
     /// Held-out samples at places that are not known, or in setups, where nothing that is fitted was measured: no
-    /// model says where they should be, and they are no observations.
+    /// model determines where they should be, and they are no observations.
     pub unplaced: Vec<usize>,
     /// Known distances between sockets that are both stated or fitted.
     distances: Vec<SocketDistance>,
@@ -131,8 +131,8 @@ impl Placing {
 }
 
 impl<'a> Layer<'a> {
-    /// The observations of a session. Joint values are those that `values` names. A session that cannot be
-    /// computed with ([`Session::checked`] says why) has none.
+    /// The observations of a session. Joint values are those of `values`. A session that cannot be computed with (see
+    /// [`Session::checked`]) has none.
     pub fn new(session: &'a Session, values: JointValues) -> Self {
         let inputs = Inputs::new(session, values);
         let whole = session.whole().is_ok();
@@ -143,7 +143,7 @@ impl<'a> Layer<'a> {
         )
     }
 
-    /// The observations of a session whose joints were where `inputs` say, sample by sample.
+    /// The observations of a session whose joints were where `inputs` has them, sample by sample.
     #[doc(hidden)]
     pub fn at(session: &'a Session, inputs: &Inputs) -> Self {
         Self::of_samples(session, inputs, session.samples.len())
@@ -346,12 +346,12 @@ impl<'a> Layer<'a> {
         });
     }
 
-    /// Of every sample the item that figures in mm are of, in the order of samples; none of a sample without.
+    /// Of every sample the item of figures in mm, in the order of samples; none of a sample without.
     ///
-    /// Lengths and angles are never in one figure. Where targets were seen, how the tool is turned is no
-    /// length. Of targets seen by lengths in some samples and by directions alone in others, that of which
-    /// there are more is the figure: a direction is as long as the distance across which it is seen, a single
-    /// length among directions tells little of them. Every kind has its own figures beside these.
+    /// Lengths and angles are never in one figure. Where targets were measured, the orientation of the tool is no
+    /// length. Of targets measured by lengths in some samples and by directions alone in others, that of which there
+    /// are more is the figure: a direction is as long as the distance across which it is seen, a single length among
+    /// directions has little information on them. Every kind has its own figures besides these.
     pub(crate) fn length_items(&self) -> Vec<usize> {
         let about = |i: usize| KINDS[self.items[i].kind].about();
         let count = |of: &dyn Fn(usize) -> bool| {
@@ -376,7 +376,7 @@ impl<'a> Layer<'a> {
         items
     }
 
-    /// What a model says of every item: where its target is, and how the tool is turned.
+    /// The predictions of a model for every item: where its target is, and the orientation of the tool.
     pub fn seen(&self, model: &Model) -> Vec<([f64; 3], [[f64; 3]; 3])> {
         let mut seen = vec![([0.0; 3], AXES); self.items.len()];
         model.visit(&self.points.inputs, false, |start, block| {
@@ -447,7 +447,7 @@ impl<'a> Layer<'a> {
         all
     }
 
-    /// What is left of every item in units of its noise, with its derivatives.
+    /// The residual of every item in units of its noise, with its derivatives.
     pub(super) fn weighed(&self, model: &Model) -> Vec<Residual> {
         let placing = Placing::of(model, self.session, &self.items);
         let seen = self.seen(model).into_iter().enumerate();
@@ -463,7 +463,7 @@ impl<'a> Layer<'a> {
         seen.map(lever).collect()
     }
 
-    /// What is left of one item, the same in units of its noise, and mm of an inner unit.
+    /// The residual of one item, the same in units of its noise, and mm of an inner unit.
     fn residual_of(
         &self,
         item: usize,
@@ -485,7 +485,7 @@ impl<'a> Layer<'a> {
         (raw, weighed, own.lever_mm(&seen))
     }
 
-    /// What is known of the distances between sockets, in rows of their own.
+    /// The priors of the distances between sockets, in separate rows.
     pub(super) fn distances(&self, model: &Model) -> RowBlock {
         let mut rows = RowBlock::new(model.coefficient_count());
         let placing = Placing::of(model, self.session, &self.items);
@@ -515,7 +515,7 @@ impl<'a> Layer<'a> {
         }
     }
 
-    /// What is known of the distances between sockets.
+    /// The priors of the distances between sockets.
     fn known_distances(&self, placing: &Placing, rows: &mut RowBlock) {
         rows.clear();
         let weight = self.unit_mm / SOCKET_DISTANCE_MM;

@@ -1,10 +1,9 @@
-//! What was measured: one layer between the model and the normal equations.
+//! Observations: the layer between the model and the normal equations, one file for each kind of measurement.
 //!
 //! The model predicts where the target is and how the tool is turned, with the derivatives of every
 //! coefficient. An observation turns that into residuals (measured − predicted) and their
-//! derivatives, in units of their own noise. Effects know nothing of it, and what is measured knows
-//! nothing of effects. A session may mix kinds row by row: which columns are filled says what was
-//! measured.
+//! derivatives, in units of their own noise. Effects do not depend on it, and observations do not depend on effects. A
+//! session may mix kinds row by row: the columns that are filled determine what was measured.
 //!
 //! # To add a kind
 //! Write one file like its neighbours in `kinds` and add one line to the register there; the columns it
@@ -12,19 +11,19 @@
 //!
 //! # How it works
 //! - [`kinds`](Kind): residual and derivatives of one observation.
-//! - `crate::effects::places`: anchors, stations, planes and sockets that are not known are fitted beside the
+//! - `crate::effects::places`: anchors, stations, planes and sockets that are not known are fitted with the
 //!   robot, and reported like everything that is fitted.
 //! - `layer`: the observations of a session, `block` by block, as rows for the normal equations;
 //!   `streams`: how they flow through the model; `follows`: how rows follow its columns.
 //! - `rows`: the same as rows of a regression, for the search of names.
-//! - `gauge`: what no kind at hand can show: where the base stands, how large everything is.
-//! - `start`: from where the fit begins.
+//! - `gauge`: what no kind at hand can determine: where the base is, how large everything is.
+//! - `start`: starting values of the fit.
 //! - `figures`: σ of each kind, outliers, errors by kind.
 //! - `constrained`: joint values that bring a target to where it is held.
 //!
-//! The orientation of the tool is found from four points of it that go through the same model as the
-//! target does (its origin and one along each axis), so that every effect turns the tool as it moves
-//! it, with exact derivatives, and none has to say how.
+//! The orientation of the tool is found from four points of it that go through the same model as the target does (its
+//! origin and one along each axis), so that every effect turns the tool as it moves it, with exact derivatives, and
+//! none needs code for it.
 
 pub(crate) mod block;
 #[doc(hidden)]

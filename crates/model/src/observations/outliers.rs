@@ -6,10 +6,9 @@
 //!
 //! `f_ν` is the length of a k-dimensional deviation of Student's t with ν degrees of freedom (ν = ∞:
 //! Gaussian, the length is that of χ), g is flat in ln d from `FROM` to `TO` scales. π, s and ν
-//! are the likeliest ones (expectation–maximisation; a contaminated population as in Tukey 1960,
-//! with tails that may be heavy by themselves, Lange, Little & Taylor 1989). A sample is suspected
-//! where it is four times likelier to be an outlier than noise: clean samples of any tail pass, and
-//! what stands apart does not.
+//! are the likeliest ones (expectation–maximisation; a contaminated population as in Tukey 1960, with tails that may
+//! themselves be heavy, Lange, Little & Taylor 1989). A sample is suspected where it is four times likelier to be an
+//! outlier than noise: clean samples of any tail pass, and outliers do not.
 //!
 //! The sizes `σ_a` of the axes are trimmed variances: what is suspected does not count (redescending,
 //! Hampel 1974).
@@ -42,9 +41,8 @@ const MOST_SPENT: f64 = 0.9;
 /// More than this is no contamination any more: the model lacks something, and nothing is suspected.
 pub const MOST_SHARE: f64 = 0.35;
 
-/// Marks what stands apart in deviations along some axes, mm, one value for each sample; `counts`
-/// says which of them make the bulk. `sigma` is the sizes of the axes, up to a common factor;
-/// where `balance` is true they are estimated.
+/// Marks outliers in deviations along some axes, mm, one value for each sample; `counts` marks those that make the
+/// bulk. `sigma` is the sizes of the axes, up to a common factor; where `balance` is true they are estimated.
 pub fn suspected(axes: &[&[f64]], counts: &[bool], sigma: &[f64], balance: bool) -> Vec<bool> {
     let n = counts.len();
     let in_bulk = |i: &usize| counts[*i] && axes.iter().all(|e| e[*i].is_finite());
@@ -79,13 +77,13 @@ pub fn suspected(axes: &[&[f64]], counts: &[bool], sigma: &[f64], balance: bool)
         let rounding = axes.iter().all(|e| e[i].abs() < rounding::WRITTEN);
         !rounding && lengths(&sigma, i) > limit
     };
-    // A fit that has come down to few samples goes through these and leaves all others.
+    // A fit that has come down to few samples goes through these and has large residuals at all others.
     let of_the_bulk = bulk.iter().filter(|i| apart(**i)).count();
     if are_the_rule(of_the_bulk, bulk.len()) {
         return vec![false; n];
     }
     let mut marked: Vec<bool> = (0..n).map(apart).collect();
-    // Of those that are held out most may stand apart of a model that fails there: none of them is suspected then.
+    // Of those that are held out most may be far from a model that fails there: none of them is suspected then.
     let held_out = |i: &usize| !counts[*i] && axes.iter().all(|e| e[*i].is_finite());
     let unseen: Vec<usize> = (0..n).filter(held_out).collect();
     if are_the_rule(unseen.iter().filter(|i| marked[**i]).count(), unseen.len()) {
@@ -96,26 +94,26 @@ pub fn suspected(axes: &[&[f64]], counts: &[bool], sigma: &[f64], balance: bool)
     marked
 }
 
-/// Whether so many of all are no contamination any more: of samples that no fit has seen most stand apart where the
-/// model fails, which is what they were held out to show.
+/// Whether so many of all are no contamination any more: most samples that no fit has seen are far off where the model
+/// fails, which is what they were held out to show.
 pub fn are_the_rule(apart: usize, all: usize) -> bool {
     apart as f64 > MOST_SHARE * all as f64
 }
 
-/// What a sample that a fit has not seen deviates by, as if it had, for each unit:
+/// The deviation of a sample that a fit has not seen, as if it had been fitted, for each unit:
 ///
 /// ```text
 /// e_seen ≈ σ √(1 − p/m),   e_unseen ≈ σ √(1 + h),   h = tr(J C Jᵀ)/rows
 /// ```
 ///
-/// with p coefficients of m rows, C the covariance of the coefficients and J the columns of the sample, both in units of
-/// the noise (Cook & Weisberg 1982, 2.1). Without it a sample that was left out of a short session stays out for being
-/// left out, and takes others along.
+/// with p coefficients of m rows, C the covariance of the coefficients and J the columns of the sample, both in units
+/// of the noise (Cook & Weisberg 1982, 2.1). Without it a sample that was left out of a short session stays out for
+/// being left out, and takes others along.
 pub fn as_if_seen(rank: usize, rows: usize, leverage: f64) -> f64 {
     (kept(rank as f64, rows) / (1.0 + leverage)).sqrt()
 }
 
-/// The share of the noise that coefficients leave in the rows that they are fitted to, at least a tenth.
+/// The share of the noise in the residuals of the fitted rows, at least a tenth.
 pub(super) fn kept(rank: f64, rows: usize) -> f64 {
     1.0 - (rank / rows.max(1) as f64).min(MOST_SPENT)
 }
@@ -153,7 +151,7 @@ fn limit_of(lengths: &[f64], k: usize) -> f64 {
     best.map_or(f64::INFINITY, |mixture| mixture.limit())
 }
 
-/// The bulk and what stands apart.
+/// The bulk and the outliers.
 #[derive(Debug, Clone, Copy)]
 struct Mixture {
     k: f64,
@@ -291,7 +289,7 @@ mod tests {
         (e, bad)
     }
 
-    /// A fit that goes through some of the samples leaves all the others: these are no outliers of it.
+    /// A fit that goes through some of the samples has large residuals at all others: these are no outliers of it.
     #[test]
     fn more_than_a_third_of_a_session_is_not_suspected_and_a_quarter_is() {
         for (apart, is_suspected) in [(12, false), (7, true)] {

@@ -1,8 +1,8 @@
-//! What the model says of an observation, and what is left of it.
+//! The prediction for an observation, and its residual.
 
 use crate::effects::place::MOST;
 
-/// What the model says of one sample.
+/// The prediction for one sample.
 #[derive(Debug, Clone, Copy)]
 pub struct Seen<'a> {
     /// Where the target is, measuring frame, mm.
@@ -13,14 +13,14 @@ pub struct Seen<'a> {
     pub place: &'a [f64],
 }
 
-/// One observation beside what the model says.
+/// One observation compared with its prediction.
 #[derive(Debug, Clone, Copy)]
 pub struct Residual {
     /// Number of rows, 1 to 3.
     pub rows: usize,
     /// Measured − predicted, inner units; as many as there are rows.
     pub left: [f64; 3],
-    /// Derivative of what is predicted with respect to the point, row by row, per mm.
+    /// Derivative of the prediction with respect to the point, row by row, per mm.
     pub by_point: [[f64; 3]; 3],
     /// The same with respect to a small turn of the tool about the measuring frame's axes, rad.
     pub by_turn: [[f64; 3]; 3],
@@ -40,7 +40,7 @@ impl Residual {
         }
     }
 
-    /// The length of what is left, inner units.
+    /// The length of the residual, inner units.
     pub fn length(&self) -> f64 {
         self.left.iter().map(|v| v * v).sum::<f64>().sqrt()
     }

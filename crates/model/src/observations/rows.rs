@@ -1,9 +1,9 @@
 //! Observations as the rows of a regression: up to three for each of them, row by row of all of them,
 //! those that an observation does not have zero.
 //!
-//! Rows are in units of the layer (σ of the kind is `unit_mm`), so that one number stands for the
-//! noise of all of them. What they are in mm, for figures that people read, depends on the row: an
-//! angle is seen across a distance, and of a pose the point alone is a length.
+//! Rows are in units of the layer (σ of the kind is `unit_mm`), so that one number is the noise of all of them. Their
+//! size in mm, for figures that people read, depends on the row: an angle is seen across a distance, and of a pose the
+//! point alone is a length.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -165,7 +165,7 @@ impl<'a> ObservedRows<'a> {
         residual
     }
 
-    /// What is known of the distances between sockets, in units of σ.
+    /// The priors of the distances between sockets, in units of σ.
     pub fn known_distances(&self, model: &Model) -> (DVector<f64>, DMatrix<f64>) {
         let block = self.layer.distances(model);
         let unit = 1.0 / self.layer.unit_mm;

@@ -1,6 +1,5 @@
-//! From where a fit begins: the frame of an instrument that was never aligned, unknown
-//! places, a tool that is mounted turned. Everything is found from where the nominal robot has its
-//! target, which is near enough.
+//! Starting values of a fit: the frame of an instrument that was never aligned, unknown places, a tool that is mounted
+//! turned. Everything is found from the target of the nominal robot, which is near enough.
 
 use std::collections::BTreeMap;
 
@@ -20,7 +19,7 @@ use super::{KINDS, Layer, Observable, Residual, Seen};
 use crate::effects::place::MOST;
 use crate::effects::places::stated;
 
-/// What a model says of one item: where its target is, and how the tool is turned.
+/// The prediction of a model for one item: where its target is, and the orientation of the tool.
 type Prediction = ([f64; 3], [[f64; 3]; 3]);
 
 /// Every place that the items to be fitted refer to, with those items.
@@ -44,7 +43,7 @@ fn thinned(items: &[usize]) -> Vec<usize> {
     (0..count).map(|k| items[k * items.len() / count]).collect()
 }
 
-/// Terms of every place that is not wholly known, from where it seems to be beside a model.
+/// Terms of every place that is not wholly known, from where it seems to be by a model.
 pub fn unknown_places(layer: &Layer, model: &Model) -> Vec<Term> {
     let seen = layer.seen(model);
     let references = &layer.session.instrument.references;
@@ -68,7 +67,7 @@ fn attitude_only(layer: &Layer, items: &[usize]) -> bool {
     items.iter().all(|i| looks(i) == Observable::AtAttitude)
 }
 
-/// Where a place is, as its observations have it; what is `known` of it stays.
+/// Where a place is by its observations; what is `known` of it is kept.
 fn located(
     layer: &Layer,
     place: Place,
@@ -192,7 +191,7 @@ fn polished(
 /// From the linear equations |p|² − m² = 2 p·a − 2 m o − (|a|² − o²), and from all around.
 fn anchor_guesses(layer: &Layer, items: &[usize], seen: &[Prediction]) -> Vec<[f64; MOST]> {
     let centre = centre_of(items, seen);
-    // At no distance and without offset what is left is what was measured.
+    // At no distance and without offset the residual is the measured value.
     let measured = |item: usize| {
         let (x, y, z) = seen[item].0.into();
         let here = [x, y, z, 0.0, 0.0, 0.0];
@@ -467,8 +466,8 @@ fn pointing_without_station(
     }
 }
 
-/// How the tool is turned beside what the session says, as a rotation vector in the tool's axes: the
-/// mean of what the orientations show beside a model whose frame is right.
+/// The turn of the tool against the session, as a rotation vector in the tool's axes: the mean over the orientations
+/// given a model whose frame is right.
 pub fn tool_turn(layer: &Layer, model: &Model) -> [f64; 3] {
     let session: &Session = layer.session;
     let seen = layer.seen(model);

@@ -1,4 +1,4 @@
-//! From stops to samples: speeds, loads, temperatures and times, still without a measured point.
+//! The conditions of the stops: speeds, loads, temperatures and times, still without a measured point.
 //!
 //! - Speed, load and temperature values are dealt from a shuffled deck that holds every combination
 //!   once; an empty deck is shuffled anew. One combination is simply always used.

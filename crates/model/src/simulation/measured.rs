@@ -1,4 +1,4 @@
-//! What instruments show that measure other things than plain points.
+//! Simulated measurements other than plain points.
 //!
 //! The samples take the ways to measure in turn, and each way its places in turn. Where the target has
 //! to be in a socket or on a plane the stop is moved there by the shortest way of the joints (Newton's
@@ -71,8 +71,8 @@ fn turn_of(scenario: &Scenario, sample: usize) -> (Measure, Option<Place>) {
     (measure, place)
 }
 
-/// Measures every sample in its own way; `outliers` are those that go wrong. The session leaves
-/// without what the scenario hides.
+/// Measures every sample in its own way; `outliers` are those that go wrong. The session is left without what the
+/// scenario hides.
 ///
 /// # Errors
 /// A socket or a plane that the robot does not reach.
@@ -213,7 +213,7 @@ fn brought(
     Err(Rejected::because(Diagnostic::error(place, found, expected)).into())
 }
 
-/// Takes away what the session does not say.
+/// Removes what the session does not state.
 fn hide(references: &mut References, unknown: &[PlaceKind]) {
     let hidden = |kind| unknown.contains(&kind);
     for anchor in &mut references.anchors {

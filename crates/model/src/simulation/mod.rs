@@ -1,16 +1,15 @@
 //! Sessions of a robot whose errors are known: for trying out a plan before the machine is there,
 //! for practice, and to check the program against itself.
 //!
-//! A [`Scenario`] says which robot, which poses, which effects, how it is measured; [`simulate`]
-//! makes the session that a technician would have brought home, and the [`Truth`] that no one
-//! would. The points come from [`Model::predict`]: the exact equations, not the linearised ones
-//! that a search may use.
+//! A [`Scenario`] has the robot, the poses, the effects, and how it is measured; [`simulate`] makes the session that a
+//! technician would have brought home, and the [`Truth`] that no one would. The points come from [`Model::predict`]:
+//! the exact equations, not the linearised ones that a search may use.
 //!
 //! - `scenario`: what a scenario is; `format_v1`: its file, `truepose-scenario/1`; `request`: one from few words.
 //! - `motion`: from a sweep or a list to stops, each with the side from which it was reached.
 //! - `circumstances`: speeds, loads and temperatures of the stops.
 //! - `noise`: what the instrument adds to a point; `measured`: every other way to measure.
-//! - `truth`: what was in it.
+//! - `truth`: the simulated effects.
 //!
 //! Everything random comes from one seed, in separate streams for order, conditions, noise and
 //! outliers: another noise does not change the poses. The same scenario and seed give the same
@@ -85,7 +84,7 @@ pub fn simulate(
     if scenario.measure != [Measure::Point] || scenario.instrument.tracker.is_some() {
         measured::measure(scenario, &model, &mut session, &outliers, seed)?;
     }
-    // What it would be refused for when it is read is no session.
+    // A session that would be refused when it is read is none.
     session.whole()?;
     let truth = Truth {
         name: session.name.clone(),

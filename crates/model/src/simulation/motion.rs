@@ -7,7 +7,7 @@
 //!   from where it was: home (0) before the first stop. The same stop never follows itself, as far
 //!   as that can be had.
 //! - *Random* poses come from home as well.
-//! - A *list* says itself from which side; what it leaves out is unknown.
+//! - A *list* states the sides; what it leaves out is unknown.
 //!
 //! A joint that has not moved came from no side: 0.
 

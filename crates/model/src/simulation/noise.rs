@@ -1,4 +1,4 @@
-//! What the instrument adds.
+//! The noise of the instrument.
 //!
 //! Noise is independent on the three axes, with the same root mean square σ on each:
 //!

@@ -1,5 +1,5 @@
-//! A scenario from few words: a robot, how many poses, what is hidden in it. What is not said is as in a
-//! usual measurement, with conditions under which every effect can show.
+//! A scenario from few words: a robot, how many poses, what is hidden in it. Everything else is as in a usual
+//! measurement, with conditions under which every effect can show.
 //!
 //! The request becomes a document of `truepose-scenario/1` and is read like any other, so that what was
 //! simulated can be kept, looked at and changed.
@@ -53,7 +53,7 @@ pub enum RequestedPoses {
 /// Temperature of the measurement.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RequestedTemperature {
-    /// The session says nothing of it.
+    /// The session does not state it.
     Unknown,
     /// These values, dealt over the poses, °C.
     Values(Vec<f64>),
@@ -80,15 +80,15 @@ pub struct SimulationRequest {
     pub noise_kind: NoiseKind,
     /// Share of measurements that go wrong, and by how much, mm.
     pub outliers: Option<[f64; 2]>,
-    /// Speeds at the moment of measuring, degrees per second; empty: not said.
+    /// Speeds at the moment of measuring, degrees per second; empty: not stated.
     pub speeds_deg_s: Vec<f64>,
-    /// Loads, kg; empty: not said.
+    /// Loads, kg; empty: not stated.
     pub loads_kg: Vec<f64>,
     /// Temperature.
     pub temperature: RequestedTemperature,
     /// Time from pose to pose, s.
     pub seconds_per_pose: f64,
-    /// What is hidden.
+    /// The hidden effects.
     pub effects: Vec<HiddenEffect>,
     /// Seed of everything random.
     pub seed: u64,

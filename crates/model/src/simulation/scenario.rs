@@ -1,4 +1,4 @@
-//! What a scenario is, in inner units (mm, rad, s, kg, °C).
+//! The scenario of a simulation, in inner units (mm, rad, s, kg, °C).
 
 use crate::text::{Template, Text};
 use nalgebra::Point3;
@@ -19,7 +19,7 @@ pub struct Scenario {
     pub robot: Robot,
     /// Reflectors; every stop is measured on each of them, in this order.
     pub targets: Vec<Target>,
-    /// The instrument as the session describes it; what it really adds is `noise`.
+    /// The instrument as the session describes it; the simulated one is `noise`.
     pub instrument: Instrument,
     /// Tolerance of the session, mm.
     pub tolerance_mm: Option<f64>,
@@ -37,9 +37,9 @@ pub struct Scenario {
     pub noise: Option<Noise>,
     /// Measurements that went wrong.
     pub outliers: Option<Outliers>,
-    /// How the samples are measured, in turn; a point where nothing is said.
+    /// How the samples are measured, in turn; points by default.
     pub measure: Vec<Measure>,
-    /// Places of which the session that is written does not say where they are.
+    /// Places that the written session does not state.
     pub unknown: Vec<PlaceKind>,
     /// Coordinates are rounded to multiples of this, mm.
     pub resolution_mm: Option<f64>,
@@ -126,9 +126,9 @@ pub struct Stop {
 /// that no condition goes along with the angle or with another condition.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Circumstances {
-    /// Speeds without sign, rad/s or mm/s; empty: the session says nothing of it.
+    /// Speeds without sign, rad/s or mm/s; empty: the session does not state them.
     pub speeds: Vec<f64>,
-    /// Loads, kg; empty: the session says nothing of it.
+    /// Loads, kg; empty: the session does not state them.
     pub loads_kg: Vec<f64>,
     /// Temperature.
     pub temperature: Option<Temperature>,
@@ -222,8 +222,8 @@ impl Scenario {
         }
     }
 
-    /// Everything that makes the scenario unusable (errors) or pointless in part (warnings). The
-    /// reader of files has checked each value by itself; this looks at what they mean together.
+    /// Everything that makes the scenario unusable (errors) or pointless in part (warnings). The reader of files has
+    /// checked each value alone; this checks what they mean together.
     pub fn problems(&self) -> Vec<Diagnostic> {
         let mut problems = self.robot.out_of_range(&Place::default());
         if self.robot.joints.is_empty() {

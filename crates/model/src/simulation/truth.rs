@@ -1,5 +1,4 @@
-//! What was in a simulated session, for the one who checks the answer; the session itself says nothing
-//! of it.
+//! The effects of a simulated session, for whoever checks the answer; the session itself does not contain them.
 
 use super::scenario::Noise;
 use crate::document::{Member, Value, object, text_of};

@@ -1,7 +1,7 @@
-//! Default classes: attributes of elements that say nothing themselves.
+//! Default classes: attributes of elements that do not state them.
 //!
-//! Classes are nested; a class has what it says itself, then what the class around it has. The
-//! outermost, `main`, holds for elements of no class.
+//! Classes are nested; a class has its own attributes, then those of the class around it. The outermost, `main`,
+//! applies to elements of no class.
 
 use std::collections::BTreeMap;
 
@@ -74,7 +74,7 @@ impl Defaults {
         for &child in document.inside(class) {
             let kind = document.name(child).to_owned();
             let of_kind = self.kinds.entry(kind).or_default();
-            // What is said later replaces what was said before.
+            // A later statement replaces an earlier one.
             let own = of_kind.entry(class).or_default();
             own.insert(0, child);
             within_budget(document, child, own.len())?;

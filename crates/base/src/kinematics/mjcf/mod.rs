@@ -1,16 +1,15 @@
 //! Robots from MJCF files, the format of `MuJoCo`.
 //!
-//! A model is a tree of bodies in `worldbody`. A body stands at `pos` and its orientation in its
-//! parent; its joints, hinges or slides, follow one another in the order of the file, each about
-//! its own `pos` and `axis` in the body's frame. A joint value is q − `ref` away from where the file
-//! draws the body. Base and tip are bodies or sites (`world` is the outermost body; where a body and
-//! a site have one name, the body is meant).
+//! A model is a tree of bodies in `worldbody`. A body has its `pos` and its orientation in its parent; its joints,
+//! hinges or slides, follow one another in the order of the file, each about its own `pos` and `axis` in the body's
+//! frame. A joint value is q − `ref` away from where the file draws the body. Base and tip are bodies or sites
+//! (`world` is the outermost body; where a body and a site have one name, the body is meant).
 //!
-//! Read are `compiler` (angle, eulerseq, autolimits), default classes and `childclass`, `frame`,
-//! orientations of every kind, and files that are included from the folder of the model or below
-//! it. Angles are degrees unless the compiler says radians; metres become mm. Masses come from
-//! `inertial` alone: a body whose mass the simulator would make up from shapes has an unknown one.
-//! Gravity is not taken from the file. Copies (`replicate`) and `attach`ed models are no part of it.
+//! Read are `compiler` (angle, eulerseq, autolimits), default classes and `childclass`, `frame`, orientations of every
+//! kind, and files that are included from the folder of the model or below it. Angles are degrees unless the compiler
+//! states radians; metres become mm. Masses come from `inertial` alone: a body whose mass the simulator would make up
+//! from shapes has an unknown one. Gravity is not taken from the file. Copies (`replicate`) and `attach`ed models are
+//! not read.
 //!
 //! Source: the XML reference at mujoco.readthedocs.io. No input makes this panic.
 
@@ -96,11 +95,11 @@ pub(super) fn tree(
     })
 }
 
-/// What `compiler` says.
+/// The attributes of `compiler`.
 struct Compiler {
     angles: Angles,
     limited_by_range: bool,
-    /// Whether masses are what `inertial` says.
+    /// Whether masses are those of `inertial`.
     masses_stand: bool,
 }
 
@@ -130,7 +129,7 @@ impl Compiler {
     }
 }
 
-/// `true` or `false`, where it is said; `auto` says nothing.
+/// `true` or `false`, where it is stated; `auto` states nothing.
 fn truth(document: &Document, element: usize, name: &str) -> Result<Option<bool>, Rejected> {
     match document.attribute(element, name) {
         None | Some("auto") => Ok(None),
@@ -152,15 +151,15 @@ struct Reader<'d> {
 /// An element that is still to be read.
 struct Open {
     element: usize,
-    /// The body that it stands in.
+    /// The body that contains it.
     body: usize,
     /// The frames between the body and the element.
     body_from_frame: Pose,
-    /// The default class of what says none; shared, as every element within it has it.
+    /// The default class of elements without one; shared, as every element within it has it.
     class: Option<Rc<str>>,
 }
 
-/// The body of what stands in an element, its frame in that body, and its default class.
+/// The body that contains the elements within an element, its frame in that body, and its default class.
 type Surrounding = (usize, Pose, Option<Rc<str>>);
 
 impl Reader<'_> {
@@ -191,7 +190,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Reads an element; where others stand in it, their body, frame and default class.
+    /// Reads an element; where it contains others, their body, frame and default class.
     fn read(&mut self, me: &Open) -> Result<Option<Surrounding>, Rejected> {
         let document = self.document;
         let class = document.attribute(me.element, "childclass");
@@ -366,7 +365,7 @@ impl Reader<'_> {
 
 /// Joints that an equality makes follow another have no value of their own.
 fn tie(document: &Document, root: usize, bodies: &mut [Body]) {
-    // What each tied joint follows; the last equality that names it says so.
+    // What each tied joint follows, by the last equality that names it.
     let mut followed: BTreeMap<&str, Option<&str>> = BTreeMap::new();
     for equality in document.children(root, "equality") {
         for tie in document.children(equality, "joint") {

@@ -12,7 +12,7 @@ use crate::rounding;
 
 use super::super::xml::Document;
 
-/// What `compiler` says of angles.
+/// The attributes of `compiler` for angles.
 #[derive(Debug)]
 pub(super) struct Angles {
     radians: bool,
@@ -30,7 +30,7 @@ impl Default for Angles {
 }
 
 impl Angles {
-    /// Takes over what a `compiler` element says.
+    /// Takes over the attributes of a `compiler` element.
     ///
     /// # Errors
     /// Another unit or sequence than there are.
@@ -67,7 +67,7 @@ impl Angles {
         }
     }
 
-    /// The orientation that the first of these elements says which says one.
+    /// The orientation of the first of these elements that states one.
     ///
     /// # Errors
     /// Two of them in one element, numbers that are none, directions of zero length.

@@ -1,4 +1,4 @@
-//! The candidates' columns, in the few numbers that they are made of.
+//! The columns of the Jacobian of every candidate, stored compactly.
 //!
 //! What a candidate does to one joint is a number for each sample times how the target moves with that
 //! joint. Of a column `w = L (d ∘ f)`, with `L` the filter that whitens, `d` the move of every row and
@@ -20,11 +20,11 @@ use crate::side_by_side::Threads;
 /// Columns with one direction, or row by row.
 #[derive(Debug, Clone)]
 struct Group {
-    /// How every row moves; `None` where the columns are kept row by row.
+    /// The move of every row; `None` where the columns are kept row by row.
     direction: Option<DVector<f64>>,
     /// Place of the first among all columns.
     first: usize,
-    /// So many are those of names; they come before the others.
+    /// The number of columns of names; they come before the others.
     named: usize,
     values: DMatrix<f64>,
 }
@@ -36,7 +36,7 @@ pub(crate) enum CandidateSubset {
     All,
 }
 
-/// The columns of all candidates, held as the few numbers that they are made of.
+/// The columns of all candidates, stored compactly.
 #[derive(Debug, Clone)]
 pub(crate) struct Columns {
     rows: usize,
@@ -64,11 +64,11 @@ struct GroupBuilder {
     named: usize,
 }
 
-/// Where the columns of a candidate were put: which group, and its first column there.
+/// The place of a candidate's columns: the group, and its first column there.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slot(usize, usize);
 
-/// Of the rows of each sample the sum of their products.
+/// Sums the products over the rows of each sample.
 fn sums_of_samples(samples: usize, a: &[f64], b: &[f64]) -> Vec<f64> {
     let mut sums = vec![-0.0; samples];
     let axes = a.chunks_exact(samples.max(1));
@@ -88,7 +88,7 @@ impl GroupBuilder {
         };
         let direction = direction.as_slice();
         let n = self.squares.len();
-        // Some samples at a time: most columns are not, and the first show it.
+        // In blocks of samples: most columns are not, and the first block shows it.
         for from in (0..n).step_by(LANES) {
             let to = (from + LANES).min(n);
             let mut own = [-0.0; LANES];
@@ -124,7 +124,7 @@ impl GroupBuilder {
 }
 
 impl ColumnBuilder {
-    /// None yet, for rows of so many samples, axis by axis; `directions` are how the rows may move.
+    /// Empty, for rows of so many samples, axis by axis; `directions` are how the rows may move.
     pub(crate) fn new(rows: usize, samples: usize, directions: &[DVector<f64>]) -> Self {
         let along = directions.iter().map(|d| GroupBuilder {
             squares: sums_of_samples(samples, d.as_slice(), d.as_slice()),
@@ -140,7 +140,7 @@ impl ColumnBuilder {
         }
     }
 
-    /// What was taken so far has names, what comes has none.
+    /// The candidates added so far are named; those that follow are anonymous shapes.
     pub(crate) fn names_end(&mut self) {
         for group in &mut self.groups {
             group.named = group.count;
@@ -202,7 +202,7 @@ impl Columns {
         self.groups.iter().map(|g| g.values.ncols()).sum()
     }
 
-    /// Whether every number of some columns that are together is finite.
+    /// Whether every number of some adjacent columns is finite.
     pub(crate) fn are_finite(&self, first: usize, count: usize) -> bool {
         let group = &self.groups[self.group(first)];
         let at = first - group.first;
@@ -301,7 +301,7 @@ impl Columns {
         all
     }
 
-    /// What products with each group need of vectors: a row for each vector.
+    /// Vectors in the form that products with each group need: a row for each vector.
     pub(crate) fn of_samples(&self, filter: &Filter, z: &DMatrix<f64>) -> Vec<DMatrix<f64>> {
         let mut turned = z.rows(0, self.rows).into_owned();
         filter.whiten_transposed(turned.as_mut_slice());
@@ -347,7 +347,7 @@ impl Group {
         }
     }
 
-    /// What products with the group's values need of a row vector.
+    /// A row vector in the form that products with the group's values need.
     fn of_samples(&self, z: &[f64], samples: usize) -> Vec<f64> {
         let Some(direction) = &self.direction else {
             return z.to_vec();

@@ -1,9 +1,9 @@
-//! Which names may stand beside each other.
+//! Names that may be in one model.
 
 use crate::effects::Term;
 
-/// Whether a name may stand beside those that are there: not beside what it becomes in the limit,
-/// and two of a kind need different settings.
+/// Whether a name may be added to those in a model: not to the one that it becomes in the limit, and two of a kind
+/// need different settings.
 pub(crate) fn compatible(there: &[&Term], term: &Term) -> bool {
     let about = |t: &Term| t.effect.about();
     let in_limit = |a: &Term, b: &Term| {

@@ -1,11 +1,11 @@
 //! Samples that lack a condition which the others have: the side from which a joint came, a speed,
 //! the load, the temperature.
 //!
-//! An effect of that condition cannot act on them, so beside it they look like outliers, and a
-//! handful of them looks like something that no name explains. They are few as a rule and are left
-//! out aloud. Where they are many the column itself is at fault, and they stay. Where only sides are lacking and
-//! what is handed out hardly depends on them, the search is done again with all samples: a sweep of the first joint
-//! has no sides of the joints that have not moved yet, and says much of the geometry.
+//! An effect of that condition cannot act on them, so that in a model with it they look like outliers, and a handful
+//! of them looks like something that no name explains. They are few as a rule and are left out with a message. Where
+//! they are many the column itself is at fault, and they are kept. Where only sides are lacking and the model that is
+//! handed out hardly depends on them, the search is repeated with all samples: a sweep of the first joint has no sides
+//! of the joints that have not moved yet, and determines much of the geometry.
 
 use crate::effects::Inputs;
 use crate::fit::problem::Problem;
@@ -103,8 +103,8 @@ fn set_unknown_sides(inputs: &mut Inputs, side: f64) {
     }
 }
 
-/// Whether only the sample that was measured first lacks something, and that is the side from which it
-/// came: it never has one, and there is nothing to say.
+/// Whether only the sample that was measured first lacks something, and that is the side from which it came: it never
+/// has one, so that nothing is reported.
 fn is_the_beginning(samples: &Samples, lacking: &[usize]) -> bool {
     let order = measuring_order(samples.time_s.as_deref());
     let first = order.as_ref().and_then(|order| order.first().copied());
@@ -115,7 +115,7 @@ fn is_the_beginning(samples: &Samples, lacking: &[usize]) -> bool {
     lacking == [first.unwrap_or(0)] && lacking.iter().all(|sample| sides_only(*sample))
 }
 
-/// A column of a condition and which of its cells say nothing.
+/// A column of a condition and which of its cells are empty.
 struct Condition<'a> {
     name: String,
     values: &'a [f64],

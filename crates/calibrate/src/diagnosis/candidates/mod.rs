@@ -1,5 +1,5 @@
-//! What may be said: every testable effect on each joint with each setting, and anonymous shapes beside them, each
-//! with the columns by which it would change the residuals. Nothing here knows what the samples say of them.
+//! The candidates of the search: every testable effect on each joint with each setting, and anonymous shapes, each
+//! with its columns of the Jacobian. Nothing here depends on what was measured.
 //!
 //! - `table`: all of them; `columns`: their columns, in the few numbers that they are made of.
 //! - `shapes`, `shape_space`, `placed`: bumps, plateaus, waves and steps over every variable, and one of them in a fit.

@@ -1,8 +1,8 @@
 //! Whether a free frame of the instrument is determined well enough for the direction of an error to mean anything.
 //!
-//! Points on one line (two poses in turn, for hours) leave open how the instrument is turned about that line. The fit takes
-//! some turn; seen so, the drift of one joint is that of another, and three names explain what one did. What slides along
-//! the line is seen as it is.
+//! Points on one line (two poses in turn, for hours) leave the rotation of the instrument about that line
+//! undetermined. The fit takes some rotation, and with a wrong one the drift of one joint looks like that of another,
+//! so that three names explain what one did. Displacements along the line do not depend on it.
 
 use std::collections::BTreeMap;
 
@@ -18,8 +18,9 @@ use crate::numeric::median;
 use crate::sessions::Group;
 use crate::thresholds::GROSS_SHARE;
 
-/// Whether the points of every setup lie as near to a line as the nominal robot is to them in the median: its error turns
-/// them by a radian about the line, or more. What is gross is of the set-up, a home that is off, and no geometry.
+/// Whether the points of every setup lie as near to a line as the nominal robot is to them in the median: its error
+/// turns them by a radian about the line, or more. A gross error is one of the set-up (a home that is off), not of the
+/// geometry.
 pub(super) fn is_open(problem: &Problem, base: &Model) -> bool {
     let session = problem.session;
     let mut terms = base.terms().iter();

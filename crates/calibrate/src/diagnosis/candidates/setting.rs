@@ -35,7 +35,7 @@ pub(crate) fn value(term: &Term) -> f64 {
     }
 }
 
-/// A number without digits that say nothing.
+/// A number without digits that are not significant.
 pub(crate) fn shown(value: f64) -> String {
     if value.fract() == 0.0 {
         format!("{value:.0}")

@@ -1,4 +1,4 @@
-//! What shapes are made from: the values of every variable, and the directions, row by row.
+//! The variables and directions of which shapes are made, row by row.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -15,12 +15,12 @@ use crate::model::shapes::{Direction, Shape, Variable};
 /// Samples whose columns are made at once.
 const AT_ONCE: usize = 1 << 15;
 
-/// What shapes are made from: the values of every variable and the directions, row by row.
+/// The variables and directions of which shapes are made, row by row.
 #[derive(Debug, Clone)]
 pub(crate) struct ShapeSpace {
     samples: usize,
     axes: Vec<usize>,
-    /// What the rows show of a move along x, y, z, where they are not those.
+    /// The derivatives of the rows with respect to a move along x, y, z, where they are not those.
     frame: Vec<DVector<f64>>,
     pub(crate) variables: Vec<(Variable, Vec<f64>)>,
     pub(crate) tangential: Vec<DVector<f64>>,
@@ -123,8 +123,7 @@ impl ShapeSpace {
         other
     }
 
-    /// The columns of placed shapes for every sample of a problem, as a fit takes them beside the
-    /// model.
+    /// The columns of placed shapes for every sample of a problem, as extra columns of a fit.
     pub(crate) fn on_all(&self, problem: &Problem, shapes: &[Placed]) -> Vec<[Vec<f64>; 3]> {
         // Along x, y, z: observations have other rows.
         if shapes.is_empty() || problem.observed.is_some() {
@@ -196,7 +195,7 @@ impl ShapeSpace {
     }
 }
 
-/// The space of some rows; with every target among the variables, or all but the first, which the others tell.
+/// The space of some rows; with every target among the variables, or all but the first, which follows from the others.
 pub(crate) fn shape_space(
     rows: &Rows,
     base: &Model,
@@ -248,8 +247,8 @@ pub(crate) fn shape_space(
     }
 }
 
-/// What observations show of a target that is elsewhere along x, y, z; nothing of plain points, whose
-/// rows are just that.
+/// The derivatives of observations with respect to a target's place along x, y, z; empty for plain points, whose rows
+/// are just that.
 fn frame(rows: &Rows, base: &Model) -> Vec<DVector<f64>> {
     if rows.observed().is_none() {
         return Vec::new();

@@ -51,7 +51,7 @@ fn over_angle(space: &ShapeSpace, joint: usize, waves: bool, all: &mut Vec<Shape
     kinks(space, variable, tangential, 16, all);
     let values = space.values(variable).map_or(0, <[f64]>::len) as f64;
     let turn = std::f64::consts::TAU;
-    // Half a cycle over the range is as fine as the data can tell cycles apart.
+    // Half a cycle over the range is the resolution of the data.
     let step = 0.5 * turn / span;
     let highest = (values / 8.0 * turn / span).min(40.0);
     let fundamentals: Vec<f64> = (2..)

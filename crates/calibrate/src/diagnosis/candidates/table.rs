@@ -1,5 +1,5 @@
-//! Everything that the search tries: each testable effect on each joint with each setting, and
-//! the anonymous shapes, with their columns at the base model.
+//! The table of candidates: each testable effect on each joint with each setting, and the anonymous shapes, with their
+//! columns at the base model.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -20,7 +20,7 @@ use super::shapes::{Missing, shapes};
 use crate::fit::regression::Rows;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
-/// What a candidate is.
+/// The kinds of candidates.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum CandidateKind {
     /// An effect of the catalogue, absent so far.
@@ -42,7 +42,7 @@ impl CandidateKind {
 /// One thing to try.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Candidate {
-    /// What it is.
+    /// What kind of candidate it is.
     pub what: CandidateKind,
     /// Its first column in the table.
     pub first: usize,
@@ -72,7 +72,7 @@ impl Allowed {
     /// Whether a name exists at all.
     pub fn exists(&self, id: &str) -> bool {
         let without = |id: &str| self.without.iter().any(|w| w == id);
-        // What becomes another effect in the limit is left out with it.
+        // An effect that this one becomes in the limit is left out with it.
         let becomes = find(id).and_then(|effect| effect.about().becomes);
         !(without(id) || becomes.is_some_and(without))
     }
@@ -90,20 +90,20 @@ impl Allowed {
 /// The candidates and their raw columns, mm per unit of each coefficient.
 #[derive(Debug, Clone)]
 pub(crate) struct CandidateTable {
-    /// What is tried.
+    /// The candidates.
     pub candidates: Vec<Candidate>,
     /// Columns at the base model.
     pub columns: Columns,
     /// Which columns make a rich fit, from which the noise is estimated.
     pub rich: Vec<usize>,
-    /// What cannot be tested.
+    /// The effects that cannot be tested.
     pub not_testable: Vec<NotTestable>,
     /// The geometry that shapes need, to build more of them.
     pub space: ShapeSpace,
 }
 
 impl CandidateTable {
-    /// All candidates beside a base model. `base` names what the base already holds.
+    /// All candidates given a base model. `base` names the effects that the base already holds.
     pub(crate) fn new(
         problem: &Problem,
         rows: &Rows,
@@ -166,7 +166,7 @@ impl CandidateTable {
         for (candidate, slot) in candidates.iter_mut().zip(slots) {
             candidate.first = first(slot);
         }
-        // Numbers that overflowed explain nothing, and a scan could not rank what they score.
+        // Candidates with overflowed columns explain nothing, and their scores could not be ranked.
         candidates.retain(|c| c.size > 0 && columns.are_finite(c.first, c.size));
         let mut table = Self {
             candidates,
@@ -221,7 +221,7 @@ impl CandidateTable {
     }
 }
 
-/// The columns of some names beside the base, of each its own.
+/// The columns of some names added to the base, of each its own.
 fn columns_of(rows: &Rows, base: &Model, names: &[Candidate]) -> Vec<DMatrix<f64>> {
     let own = names.iter().filter_map(|c| c.what.term());
     // Of the base no column is asked for.
@@ -289,7 +289,7 @@ fn names(
                 Setting::Time => (settings.len() as f64).min(40.0),
                 _ => settings.len() as f64,
             };
-            // What the gear ratio asks for is no choice among all orders.
+            // An order that follows from the gear ratio is no choice among all orders.
             let robot = &problem.session.robot;
             let of_the_gear = stated_orders(robot, joint).count() as f64;
             names.extend(settings.into_iter().map(|setting| {

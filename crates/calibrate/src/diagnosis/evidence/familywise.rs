@@ -1,6 +1,6 @@
-//! How often the whole search would find as much in noise alone: simulated residuals are sent
-//! through every candidate at once, names and shapes together, and the largest −ln p of each is
-//! kept ([`super::trials`]); how they are distributed is said by [`super::largest_in_noise`].
+//! The family-wise chance: how often the whole search would find as much in noise alone. Simulated residuals are sent
+//! through every candidate at once, names and shapes together, and the largest −ln p of each is kept
+//! ([`super::trials`]); their distribution is [`super::largest_in_noise`].
 //!
 //! The simulated residuals are the fit's own with their signs flipped at random, so that heavy tails stay
 //! heavy (Winkler et al. 2014); of a long session they are equally large ([`ROWS_TO_FLIP`]).
@@ -18,17 +18,19 @@ use super::trials::Trials;
 use crate::budget;
 use crate::diagnosis::candidates::columns::CandidateSubset;
 
-/// The smallest chance that is stated: further out the law is an extrapolation that nothing has checked.
+/// The smallest chance that is stated: further out the distribution is an extrapolation that nothing has checked.
 pub(crate) const SMALLEST: f64 = 1.0 / 2000.0;
-/// Rows beyond which all residuals are taken to be equally large: of so many each candidate is a sum that is Gaussian
-/// whatever they are, and what is still to be found makes some larger than others. (Measured: of 60 sessions of 330 and
-/// 440 samples with t noise of 4 degrees of freedom 2 are said to be more than noise, either way; a UR10 of 1495 poses
-/// has 12 names and 0.161 mm on unseen ones, with its own residuals 8 and 0.185.)
+/// Rows beyond which all residuals are taken to be equally large: with so many rows each candidate's gain is a sum
+/// that is Gaussian whatever they are, and effects that are still to be found make some of them larger than others.
+/// (Measured: of 60 sessions of 330 and 440 samples with t noise of 4 degrees of freedom 2 are reported as more than
+/// noise, either way; a UR10 of 1495 poses has 12 names and 0.161 mm on unseen ones, with its own residuals 8 and
+/// 0.185.)
 const ROWS_TO_FLIP: usize = 900;
-/// Chances that few simulations leave open: within a factor of five below and twenty above what a step is taken by
-/// (0.002). The largest five of 250 are known to a factor of 1.5, and the law may say a third.
+/// Chances that few simulations leave undecided: within a factor of five below and twenty above that by which a step
+/// is taken (0.002). The largest five of 250 are known to a factor of 1.5, and the extrapolation may be low by a
+/// factor of three.
 const CLOSE: std::ops::Range<f64> = 4e-4..0.04;
-/// What a product in single precision, of many vectors at once, costs beside others.
+/// The cost of a product in single precision, of many vectors at once, relative to others.
 const OF_NOISE: f64 = 0.15;
 
 impl Regression<'_> {
@@ -42,7 +44,7 @@ impl Regression<'_> {
         }
     }
 
-    /// The same as a number: a few simulations say it, and more of them where they leave it open.
+    /// The same as a number: by a few simulations, and by more of them where these leave it undecided.
     pub(crate) fn chance_in_noise(&self, minus_ln_p: f64, fit: &Fit) -> f64 {
         let by = |count| self.in_noise(fit, count).chance(minus_ln_p);
         // Of the larger number the fiftieth that is largest, from which on the law is extrapolated, is known to 1/√20, a
@@ -66,10 +68,10 @@ impl Regression<'_> {
         self.largest_in_noise.of_key(key, simulate)
     }
 
-    /// Whether noise alone reaches it with more than this chance, on the way to what is tested at the end: there that of
-    /// any model of the same size is good enough.
+    /// Whether noise alone reaches it with more than this chance. Used on the way to the final test: there the noise
+    /// of any model of the same size is good enough.
     pub(crate) fn reached_by_noise(&self, minus_ln_p: f64, chance: f64, fit: &Fit) -> bool {
-        // One candidate alone does already; the others only add to it.
+        // One candidate alone exceeds it already; the others only add to it.
         let weights = self.table.candidates.iter().map(weight_of);
         let least = weights.fold(f64::INFINITY, f64::min);
         let in_noise = || {
@@ -93,7 +95,7 @@ impl Regression<'_> {
         if long || noise.iter().all(|v| *v == 0.0) {
             noise.fill(1.0);
         }
-        let around = self.surroundings(fit, CandidateSubset::All);
+        let around = self.projections(fit, CandidateSubset::All);
         let trials = Trials::new(self, &around);
         let columns = self.table.columns.count() * self.rows.samples.len();
         self.work.did(OF_NOISE * (columns * count) as f64);
@@ -127,7 +129,7 @@ mod tests {
         let base = regression.fit(&regression.base, &[]);
         // e⁻⁵ alone is 0.007.
         assert!(regression.reached_by_noise(5.0, 0.002, &base));
-        // Simulations say the same, and the opposite of what is far beyond.
+        // Simulations agree, and disagree far beyond.
         assert!(regression.family_p(5.0, &base).p > 0.007);
         assert!(!regression.reached_by_noise(16.0, 0.002, &base));
     }

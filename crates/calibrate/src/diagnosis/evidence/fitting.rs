@@ -1,8 +1,8 @@
 //! Fits of a model and shapes to the rows, by Gauss–Newton steps.
 //!
-//! Columns and their orthonormal basis are nearly all of what a step costs. After a step that is small beside the
-//! noise they are what they were: their change is a product of that step with the curvature, and what the next step
-//! is off by is a product with it once more. As many steps are taken as with columns that are always new.
+//! Most of the cost of a step is its columns and their orthonormal basis. After a step that is small compared with the
+//! noise they are kept: their change is a product of that step with the curvature, and the error of the next step is a
+//! product with it once more. The number of steps is that with columns that are always recomputed.
 
 use std::sync::Arc;
 
@@ -16,10 +16,10 @@ use crate::diagnosis::candidates::Placed;
 use crate::linear::Basis;
 use crate::model::Model;
 
-/// Products for each number of a fit's columns beside those of making them orthonormal.
+/// Products for each number of a fit's columns besides those of making them orthonormal.
 pub(super) const OF_A_FIT: f64 = 150.0;
 
-/// A step whose square is at most this share of what is left leaves the columns what they are.
+/// A step whose square is at most this share of the residual sum of squares keeps the columns.
 const SMALL: f64 = 1e-5;
 
 impl Regression<'_> {
@@ -35,9 +35,9 @@ impl Regression<'_> {
         let more = (own + shapes.len()).saturating_sub(self.base.coefficient_count());
         let of_a_step = (self.height() * own) as f64 * (OF_A_FIT + 4.0 * (1 + more) as f64);
         let mut place: Option<Arc<Basis>> = None;
-        let mut left = DVector::zeros(self.height());
+        let mut projected = DVector::zeros(self.height());
         let mut rss = 0.0_f64;
-        // The square of the last step beside what it left.
+        // The square of the last step relative to the residual sum of squares after it.
         let mut last = f64::INFINITY;
         for round in 0..budget::ROUNDS {
             self.work.did(of_a_step);
@@ -48,12 +48,12 @@ impl Regression<'_> {
             } else {
                 self.place(&model, &shapes)
             };
-            // The shapes are linear: they are solved for afresh, the model by steps.
+            // The shapes are linear: they are solved for again, the model by steps.
             let step = here.solve(&residual);
-            left = here.reject(&residual);
-            rss = left.norm_squared();
-            // What the columns explain of the residual is what the step moves, but for the shapes.
-            let mut moves = residual - &left;
+            projected = here.reject(&residual);
+            rss = projected.norm_squared();
+            // The part of the residual in the span of the columns is explained by the step, except for the shapes.
+            let mut moves = residual - &projected;
             model = model.stepped(&step.as_slice()[..own]);
             let mut first = own;
             for shape in &mut shapes {
@@ -77,14 +77,14 @@ impl Regression<'_> {
         Fit {
             model,
             shapes,
-            residual: left,
+            residual: projected,
             basis,
             rss,
             ln_evidence,
         }
     }
 
-    /// What is left of the rows, with a basis of all columns.
+    /// The residual of the rows, with a basis of all columns.
     fn place(&self, model: &Model, shapes: &[Placed]) -> (DVector<f64>, Arc<Basis>) {
         let (raw, columns) = self.raw(model);
         let (residual, mut all) = self.whitened(model, &raw, columns);

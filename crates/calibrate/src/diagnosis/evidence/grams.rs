@@ -1,5 +1,5 @@
-//! Products of every candidate's own columns, and what a basis leaves of them: with `Q` the orthonormal columns of a fit
-//! and `A = QᵀW`, `PᵀP = WᵀW − AᵀA`, so that no column is written out.
+//! Gram matrices of every candidate's columns, and of their projections orthogonal to a basis: with `Q` the
+//! orthonormal columns of a fit and `A = QᵀW`, `PᵀP = WᵀW − AᵀA`, so that no column is written out.
 
 use nalgebra::DMatrix;
 
@@ -18,7 +18,7 @@ pub(crate) struct Grams {
     at: Vec<usize>,
 }
 
-/// What has to be left of a column with this square for a candidate to count.
+/// The least square norm of the projection of a column with this square for a candidate to count.
 fn least_seen(square: f64) -> f64 {
     (rounding::WRITTEN * square).max(1e-300)
 }
@@ -71,16 +71,17 @@ impl Grams {
         &self.values[at..at + candidate.size * candidate.size]
     }
 
-    /// Those of what orthonormal columns leave of some candidates, whose products with these are known.
+    /// The Gram matrices of the projections of some candidates orthogonal to columns whose products with them are
+    /// known.
     pub(super) fn less<'c>(
         &self,
         along: &DMatrix<f64>,
         candidates: impl Iterator<Item = &'c Candidate>,
     ) -> Self {
-        let mut left = self.clone();
+        let mut remaining = self.clone();
         for candidate in candidates {
             let (first, k) = (candidate.first, candidate.size);
-            let own = &mut left.values[self.at[first]..][..k * k];
+            let own = &mut remaining.values[self.at[first]..][..k * k];
             for i in 0..k {
                 let a = along.column(first + i);
                 for j in 0..=i {
@@ -88,10 +89,10 @@ impl Grams {
                 }
             }
         }
-        left
+        remaining
     }
 
-    /// How much has to be left of every column of the candidates for it to count.
+    /// The least square norm of the projection of every column of the candidates for it to count.
     pub(super) fn least(&self, candidates: &[Candidate]) -> Vec<f64> {
         let mut least = vec![1e-300; self.at.len()];
         for candidate in candidates {
@@ -104,9 +105,9 @@ impl Grams {
     }
 }
 
-/// Of candidates with so many columns each, the orthonormal columns of what a basis leaves of them; `None` where
-/// that is not all of them.
-pub(crate) fn units_beside(
+/// Of candidates with so many columns each, orthonormal bases of their projections orthogonal to a basis; `None` where
+/// some are linearly dependent on it.
+pub(crate) fn projected_units(
     white: DMatrix<f64>,
     sizes: impl Iterator<Item = usize>,
     basis: &Basis,
@@ -127,7 +128,7 @@ pub(crate) fn units_beside(
     sizes.map(one).collect()
 }
 
-/// The same span, orthonormal; `None` where less than this is left of a column beside the others.
+/// The same span, orthonormal; `None` where the projection of a column orthogonal to the others is less than this.
 fn orthonormal(columns: DMatrix<f64>, tolerance: &[f64]) -> Option<DMatrix<f64>> {
     let k = columns.ncols();
     let mut factor: Vec<f64> = gram(&columns).as_slice().to_vec();

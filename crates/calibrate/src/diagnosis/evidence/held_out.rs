@@ -1,9 +1,9 @@
-//! The proof on samples that a fit has not seen: the samples are cut into blocks, and each block
-//! is predicted by a fit without it, its settings scanned afresh (cross-fitting, Stone 1974).
+//! Cross-validation: the samples are cut into blocks, and each block is predicted by a fit without it, its settings
+//! scanned again (cross-fitting, Stone 1974).
 //!
-//! Blocks are stretches of the joint angles where the joints move at random, and stretches of
-//! time besides; several small ones make one fold, so that no fold lies beyond the others. All rows of a pose are in one,
-//! and of an arm all that were measured where it came back: they show nothing of another pose.
+//! Blocks are ranges of the joint angles where the joints move at random, and otherwise stretches of time; several
+//! small ones make one fold, so that no fold has to be extrapolated. All rows of a pose are in one fold, and of an arm
+//! all that were measured when it came back: they do not test another pose.
 
 use nalgebra::DVector;
 
@@ -24,14 +24,14 @@ pub(crate) struct Folds {
     fold: Vec<usize>,
     /// Number of poses.
     poses: usize,
-    /// Whether poses are predicted that a fit has not seen; else it is other visits to the same few.
+    /// Whether unseen poses are predicted; else it is other visits to the same few.
     pub(crate) predict_poses: bool,
     count: usize,
     /// In words.
     pub(crate) how: Text,
 }
 
-/// What a fit leaves of samples that it has not seen.
+/// Residuals of samples that a fit has not seen.
 pub(crate) struct HeldOutResiduals {
     /// Root mean square length, in the unit of the rows.
     pub(crate) rms: f64,
@@ -41,7 +41,7 @@ pub(crate) struct HeldOutResiduals {
 }
 
 const _: () = assert!(budget::FOLDS == 5, "the answer speaks of fifths");
-/// Below this number of poses nothing is said about unseen ones.
+/// With fewer poses no error on unseen ones is reported.
 pub(crate) const FEWEST: usize = 6;
 
 /// The samples of rows by their poses.
@@ -98,7 +98,7 @@ impl Folds {
         Self::of_poses(&poses, &fold, count, how)
     }
 
-    /// The folds of samples, of those of their poses: rows of a pose share what the robot did not repeat.
+    /// The folds of samples by those of their poses: rows of a pose share the error of repeatability.
     fn of_poses(poses: &ByPose, fold: &[usize], count: usize, how: Text) -> Self {
         Self {
             fold: poses.to_samples(fold),
@@ -173,8 +173,8 @@ impl Folds {
         self.fold[sample]
     }
 
-    /// Whether there are enough poses to say anything.
-    pub(crate) fn say_something(&self) -> bool {
+    /// Whether there are enough poses to report an error.
+    pub(crate) fn are_enough(&self) -> bool {
         self.poses >= FEWEST
     }
 
@@ -196,22 +196,21 @@ impl Folds {
         })
     }
 
-    /// As [`Self::rms_mm`], of the fit's model alone, whose shapes are fitted beside it and predict nothing.
+    /// As [`Self::rms_mm`], of the fit's model alone: its shapes are fitted with it and predict nothing.
     pub(crate) fn rms_mm_of_the_model(&self, regression: &Regression, fit: &Fit) -> f64 {
         let columns = fit.model.coefficient_count();
         self.predicted_by(regression, fit, columns).rms_mm
     }
 
-    /// What is left of samples that the fit has not seen.
+    /// The residuals of samples that the fit has not seen.
     pub(crate) fn unseen(&self, regression: &Regression, fit: &Fit) -> HeldOutResiduals {
         self.predicted_by(regression, fit, usize::MAX)
     }
 
     /// The same where the first so many columns of the fit predict.
     fn predicted_by(&self, regression: &Regression, fit: &Fit, columns: usize) -> HeldOutResiduals {
-        if !self.say_something() {
-            // Too few samples to hold any out: the fit's own residual, so that it never stands
-            // in the way.
+        if !self.are_enough() {
+            // Too few samples to hold any out: the fit's own residual, so that the comparison always passes.
             return HeldOutResiduals {
                 rms: fit.rss.sqrt(),
                 rms_mm: fit.rss.sqrt(),
@@ -221,17 +220,17 @@ impl Folds {
         let rescanned = Rescanned::new(regression, fit);
         let n = self.fold.len();
         let (mut sum, mut sum_mm) = (0.0, 0.0);
-        let mut left = DVector::zeros(regression.rows.len());
+        let mut residuals = DVector::zeros(regression.rows.len());
         let rows = regression.rows.len();
         let unseen = (0..self.count).map(|fold| -> Vec<usize> {
             (0..rows).filter(|row| self.fold[row % n] == fold).collect()
         });
         let unseen: Vec<Vec<usize>> = unseen.collect();
-        let folds = rescanned.left(&unseen, columns);
+        let folds = rescanned.residuals(&unseen, columns);
         for (unseen, of_fold) in unseen.into_iter().zip(folds) {
             for (row, e) in unseen.into_iter().zip(of_fold) {
                 let mm = regression.rows.mm(row) * e;
-                left[row] = e;
+                residuals[row] = e;
                 sum += e * e;
                 sum_mm += mm * mm;
             }
@@ -240,7 +239,7 @@ impl Folds {
         HeldOutResiduals {
             rms: (sum / n as f64).sqrt(),
             rms_mm: (sum_mm / lengths as f64).sqrt(),
-            rows: left,
+            rows: residuals,
         }
     }
 }

@@ -1,12 +1,12 @@
-//! The law of the largest of many −ln p in noise alone, from n simulated ones: counted, and from the fiftieth u that is
-//! largest on
+//! The distribution of the largest of many −ln p in noise alone, from n simulated ones: counted, and beyond the
+//! fiftieth largest u extrapolated as
 //!
 //! ```text
 //! P(max > s) = 1/50 exp(−(s − u))
 //! ```
 //!
-//! as of the largest of candidates that are alike (Gumbel 1958). Of residuals with heavy tails surprises fall more slowly:
-//! there what was counted is the answer, up to three times the law.
+//! the tail of the largest of similar candidates (Gumbel 1958). With heavy-tailed residuals the tail falls more
+//! slowly: there the counted share is taken, up to three times the extrapolated one.
 
 use std::rc::Rc;
 
@@ -59,15 +59,15 @@ mod tests {
 
     use super::*;
 
-    /// A thousand each that are drawn, many times: the mean over these of what the law says of a chance, as its share.
-    fn said(mut surprise: impl FnMut() -> f64, at: f64, chance: f64) -> f64 {
+    /// The mean over many draws of a thousand of the estimated chance, relative to the true one.
+    fn estimated(mut surprise: impl FnMut() -> f64, at: f64, chance: f64) -> f64 {
         let laws = (0..200).map(|_| LargestInNoise::of((0..1000).map(|_| surprise()).collect()));
         laws.map(|law| law.chance(at)).sum::<f64>() / 200.0 / chance
     }
 
-    /// Of all directions in each of thirty planes, neighbours of one another: `max |uᵀz| = |z|`, so that noise
-    /// reaches t in a plane with the chance `exp(−t²/2)`, where one direction alone reaches it with `erfc(t/√2)`.
-    /// Further out neighbours are more candidates, as √s: so much the law says too little.
+    /// Of all directions in each of thirty planes, neighbours of one another: `max |uᵀz| = |z|`, so that noise reaches
+    /// t in a plane with the chance `exp(−t²/2)`, where one direction alone reaches it with `erfc(t/√2)`. Further out
+    /// neighbours are more candidates, as √s: by so much the extrapolation is too small.
     #[test]
     fn the_law_holds_beyond_what_was_simulated() {
         let surprise = |t: f64| -erfc(t / 2.0_f64.sqrt()).ln();
@@ -76,8 +76,11 @@ mod tests {
         for (chance, within) in [(0.1, 1.1), (0.01, 1.15), (0.002, 1.3), (1e-5_f64, 1.6)] {
             let mut random = ChaCha8Rng::seed_from_u64(1);
             let drawn = || of_all(1.0 - random.random::<f64>());
-            let said = said(drawn, of_all(chance), chance);
-            assert!(said > 1.0 / within && said < within, "{chance}: {said}");
+            let estimated = estimated(drawn, of_all(chance), chance);
+            assert!(
+                estimated > 1.0 / within && estimated < within,
+                "{chance}: {estimated}"
+            );
         }
         let law = LargestInNoise::of(
             (0..1000)
@@ -87,12 +90,13 @@ mod tests {
         assert!((law.chance(law.quantile(0.002)) / 0.002 - 1.0).abs() < 1e-6);
     }
 
-    /// What falls as exp(−0.6 s), as where some residuals are larger than others: the law alone would say a fifth.
+    /// A tail that falls as exp(−0.6 s), as where some residuals are larger than others: the extrapolation would give
+    /// a fifth.
     #[test]
     fn of_heavier_tails_what_was_counted_counts() {
         let mut random = ChaCha8Rng::seed_from_u64(2);
         let at = |chance: f64| 6.0 - chance.ln() / 0.6;
-        let said = said(|| at(1.0 - random.random::<f64>()), at(0.002), 0.002);
-        assert!(said > 0.4 && said < 1.1, "{said}");
+        let estimated = estimated(|| at(1.0 - random.random::<f64>()), at(0.002), 0.002);
+        assert!(estimated > 0.4 && estimated < 1.1, "{estimated}");
     }
 }

@@ -1,22 +1,22 @@
-//! Fits without some of the rows, from sums over all rows less those over the rows that are left out:
+//! Fits without some of the rows (leave-out updates), from sums over all rows less those over the rows left out:
 //!
 //! ```text
 //! G = XᵀX − X_BᵀX_B,   b = Xᵀy − X_Bᵀy_B,   G = L Lᵀ,   x = L⁻ᵀ L⁻¹ b
 //! ```
 //!
-//! (`X` the columns of a fit, `y` what it leaves, `B` the rows that are left out). A setting of a term with columns `F`
-//! lowers the sum of squares beside all other columns by `hᵀ S⁻¹ h` with `S = FᵀF − WᵀW`, `h = Fᵀy − Wᵀ L⁻¹ b`,
-//! `W = L⁻¹ XᵀF`, all without the term's own columns: the setting that does most in the rows that stay takes the place of
-//! the fit's, term by term, and no row is looked at twice.
+//! (`X` the columns of a fit, `y` its residual, `B` the rows left out). A setting of a term with columns `F` lowers
+//! the sum of squares given all other columns by `hᵀ S⁻¹ h` with `S = FᵀF − WᵀW`, `h = Fᵀy − Wᵀ L⁻¹ b`, `W = L⁻¹ XᵀF`,
+//! all without the term's own columns: the setting with the largest gain over the remaining rows replaces that of the
+//! fit, term by term, and no row is visited twice.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::linear::{Basis, cross, gram, small_cholesky, small_gain};
 use crate::rounding;
 
-/// A term with the other settings that may take the place of its own.
+/// A term with the other settings that may replace its own.
 pub(super) struct Scanned {
-    /// Where its columns stand among those of the fit.
+    /// The index of its first column among those of the fit.
     pub(super) first: usize,
     pub(super) coefficients: DVector<f64>,
     pub(super) candidates: Vec<usize>,
@@ -41,12 +41,12 @@ type Settings = (usize, DMatrix<f64>);
 /// Which term, at which of its settings, with which coefficients.
 pub(super) type Exchanged = (usize, usize, DVector<f64>);
 
-/// The columns of a fit, what it leaves, and the settings of its terms, with their products over all rows.
+/// The columns of a fit, its residual, and the settings of its terms, with their products over all rows.
 pub(super) struct Fitted {
     /// Which columns count, in the order in which they are taken.
     kept: Vec<usize>,
     width: usize,
-    /// How much of the square of each has to be seen.
+    /// The least share of the square of each that has to be independent of the others.
     least: Vec<f64>,
     columns: DMatrix<f64>,
     residual: DVector<f64>,
@@ -60,7 +60,7 @@ struct Sums {
     /// `XᵀX` and `Xᵀy`.
     gram: DMatrix<f64>,
     along: DVector<f64>,
-    /// Of each term's settings `F`: `XᵀF`, `FᵀF` of each setting alone beside one another, `Fᵀy`.
+    /// Of each term's settings `F`: `XᵀF`, `FᵀF` of each setting side by side, `Fᵀy`.
     with: Vec<DMatrix<f64>>,
     own: Vec<DMatrix<f64>>,
     pulls: Vec<DVector<f64>>,
@@ -92,7 +92,7 @@ impl Sums {
     }
 }
 
-/// The products of so many columns with each other, beside those of the next so many.
+/// The products of so many columns with each other, then those of the next so many.
 fn grams(columns: &DMatrix<f64>, size: usize) -> DMatrix<f64> {
     let mut all = DMatrix::zeros(size, columns.ncols());
     for first in (0..columns.ncols()).step_by(size) {
@@ -132,7 +132,7 @@ impl Factor {
         own
     }
 
-    /// The coefficients of all `width` columns; zero where the rows tell none.
+    /// The coefficients of all `width` columns; zero where the rows do not determine one.
     fn solve(&self, along: &DVector<f64>) -> DVector<f64> {
         let k = self.places.len();
         let mut own: Vec<f64> = self.places.iter().map(|place| along[*place]).collect();
@@ -155,7 +155,7 @@ impl Factor {
 }
 
 impl Fitted {
-    /// Of a fit's whitened columns with their basis, what it leaves, and the terms that are scanned.
+    /// From a fit's whitened columns with their basis, its residual, and the terms that are scanned.
     pub(super) fn new(
         basis: &Basis,
         white: &DMatrix<f64>,
@@ -170,7 +170,7 @@ impl Fitted {
             kept: basis.kept.clone(),
             width: white.ncols(),
             least: basis
-                .left()
+                .remaining_norms()
                 .map(|left| rounding::COMPUTED * left * left)
                 .collect(),
             columns,
@@ -232,7 +232,7 @@ impl Fitted {
         (step, taken)
     }
 
-    /// The setting that does more than the fit's own, if one does.
+    /// The setting with a larger gain than the fit's own, if there is one.
     fn better(&self, at: usize, stay: &Sums) -> Option<usize> {
         let term = &self.terms[at];
         let own = self.places(term.first, term.size());
@@ -240,7 +240,7 @@ impl Fitted {
             return None;
         }
         let factor = Factor::of(&stay.gram, self.without(&own), &self.least);
-        // What there is to explain without the term.
+        // The signal to be explained without the term.
         let of_own = stay.gram.select_columns(&own);
         let along = &stay.along + &of_own * &term.coefficients;
         let explained = factor.forward(&DMatrix::from_column_slice(
@@ -277,8 +277,8 @@ impl Fitted {
         best.1
     }
 
-    /// Puts a setting's columns in the place of the term's own: what is to be explained is then what the fit leaves
-    /// with what the term does in it.
+    /// Replaces the term's columns by those of a setting: the signal to be explained is then the residual of the fit
+    /// plus the term's part of it.
     fn exchange(&self, at: usize, setting: usize, stay: &mut Sums, out: &[Settings]) {
         let term = &self.terms[at];
         let own = self.places(term.first, term.size());
@@ -319,11 +319,11 @@ mod tests {
         })
     }
 
-    /// Two terms of two columns each beside three others, each with three more settings; what there is to fit.
+    /// Two terms of two columns each with three others, each with three more settings; the signal to be fitted.
     fn fit() -> (DMatrix<f64>, DVector<f64>, Vec<Scanned>) {
         let a = wild(60, 7, 0.0);
         let settings = [wild(60, 6, 1.0), wild(60, 6, 3.0)];
-        // What there is: the others, the first term as it stands, and the second at another setting.
+        // The signal: the others, the first term at its setting, and the second at another one.
         let other = settings[1].columns(2, 2) * DVector::from_vec(vec![0.8, -1.1]);
         let noise = wild(60, 1, 5.0).column(0) * 0.05;
         let known = DVector::from_vec(vec![0.3, -0.2, 0.5, 1.0, 0.7, 0.0, 0.0]);
@@ -358,7 +358,7 @@ mod tests {
             let out: Vec<usize> = (0..60).filter(|row| row / 4 % 5 == fold).collect();
             let stay: Vec<usize> = (0..60).filter(|row| row / 4 % 5 != fold).collect();
             let (step, exchanged) = fitted.step(&out);
-            // Anew: each term in turn at the setting that leaves least of the rows that stay.
+            // By brute force: each term in turn at the setting with the least residual of the remaining rows.
             let mut now = a.clone();
             let mut settings = Vec::new();
             for (at, term) in fitted.terms().iter().enumerate() {
@@ -376,7 +376,7 @@ mod tests {
             let named: Vec<_> = exchanged.iter().map(|e| (e.0, e.1)).collect();
             assert_eq!(named, settings);
             others += settings.len();
-            // The rows that are left out are predicted the same way.
+            // The rows left out are predicted in the same way.
             let anew = Basis::new(&now.select_rows(&stay)).solve(&y.select_rows(&stay));
             let expected = now.select_rows(&out) * anew;
             let mut moved = basis.solve(&y) + &step;

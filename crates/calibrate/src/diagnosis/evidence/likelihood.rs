@@ -1,5 +1,4 @@
-//! How fits are compared: by an approximate marginal likelihood (Schwarz 1978) with every name equally
-//! likely beforehand:
+//! The evidence of a fit: an approximate marginal likelihood (Schwarz 1978) with every name equally likely a priori:
 //!
 //! ```text
 //! ln E = −(m/2) ln rss − (k/2) ln m − Σ ln(settings tried) − (shapes) ln 20
@@ -21,9 +20,8 @@ use crate::diagnosis::candidates::Placed;
 /// Every name pays for being one of the twenty of the catalogue (ln 20): a set of names is as simple
 /// as it is small.
 pub(crate) const EFFECT_PRIOR_PENALTY: f64 = 3.0;
-/// A shape pays as a name does, and has to be this much likelier besides, as a logarithm: thirty
-/// times …
-/// Calibrated (`hidden_effects unknown`, `strange`): beside two names a shape is simpler.
+/// A shape pays as a name does, and has to be this much likelier besides, as a logarithm: thirty times …
+/// Calibrated (`hidden_effects unknown`, `strange`): compared with two names a shape is simpler.
 const PRICE_OF_A_SHAPE: f64 = 3.5 + EFFECT_PRIOR_PENALTY;
 /// … and this much more for each setting that is fitted finely.
 /// Derived: half the logarithm of the number of resolved settings between two points of a scan
@@ -51,8 +49,8 @@ fn plausible(term: &Term) -> f64 {
     }
 }
 
-/// Whether a term has a size so many times as large as what is implausible. No limit is known for what slides: its
-/// sizes have other units, and other names.
+/// Whether a term has a size so many times as large as what is implausible. For prismatic joints no limit is known:
+/// their sizes have other units, and other names.
 pub(crate) fn is_beyond(robot: &Robot, term: &Term, times: f64) -> bool {
     let about = term.effect.about();
     let sizes = about.form.quantities();
@@ -95,10 +93,10 @@ impl Regression<'_> {
             + self.ln_noise
     }
 
-    /// By how much too much the terms that were added pay: a vector of which one component is there
-    /// carries the information of one column and not of three. Each pays for its best subset of
-    /// components, and for the choice of it. What cannot be negative and is pays everything, and so does a size beyond
-    /// what is plausible of which the samples leave more than that open: it cancels another one.
+    /// The correction of the complexity penalty of the terms that were added: a vector with one non-zero component has
+    /// the information of one column and not of three. Each pays for its best subset of components, and for the choice
+    /// of it. A term that cannot be negative and is pays for all columns, and so does a size beyond what is plausible
+    /// that the samples leave more uncertain than that: it cancels another one.
     pub(super) fn subset_selection_credit(&self, model: &Model, basis: &Basis, rss: f64) -> f64 {
         let mut first = 0;
         let mut subset_selection_credit = 0.0;
@@ -123,7 +121,7 @@ impl Regression<'_> {
                 }
             }
             if vector && term.effect.about().non_negative {
-                // What the effect is named for has to be there: the others alone are something else.
+                // The component that the effect is named for has to be present: the others alone are something else.
                 let all = covariance.get_or_insert_with(|| basis.inverse_gram());
                 let variance = all[(own.start, own.start)] * self.rounded(rss) / self.m();
                 let clear = term.coefficients[0].powi(2) > odds::CLEAR.chi_square() * variance;
@@ -145,7 +143,7 @@ impl Regression<'_> {
                     return f64::NEG_INFINITY;
                 }
             }
-            // Components that the samples do not show pay nothing.
+            // Components that the samples do not determine have no penalty.
             let own: Vec<usize> = own.filter(|k| basis.kept.contains(k)).collect();
             if !vector || own.len() < 2 {
                 continue;
@@ -173,7 +171,7 @@ impl Regression<'_> {
         subset_selection_credit
     }
 
-    /// A sum of squares cannot say more than the rounding of the numbers in a file.
+    /// A sum of squares is no more precise than the rounding of the numbers in a file.
     pub(crate) fn rounded(&self, rss: f64) -> f64 {
         let rounding: f64 = self
             .rows
@@ -184,18 +182,18 @@ impl Regression<'_> {
         rss + rounding * self.rows.samples.len() as f64
     }
 
-    /// What an order that is not whole pays: for a number that is fitted.
+    /// The penalty of an order that is not whole: that of a number that is fitted.
     pub(crate) fn price_of_a_fraction(&self) -> f64 {
         PRICE_OF_A_SETTING + 0.5 * self.m().ln()
     }
 
-    /// Whether a term is an order that the gear ratio of its joint asks for.
+    /// Whether a term is an order that follows from the gear ratio of its joint.
     pub(crate) fn is_stated(&self, term: &Term) -> bool {
         stated(&self.base.robot, term).is_some()
     }
 
-    /// A term and what is proven together with it: of an order that the gear ratio asks for, the others of that gear
-    /// in the fit.
+    /// A term and those that are tested together with it: of an order that follows from the gear ratio, the others of
+    /// that gear in the fit.
     pub(crate) fn together(&self, fit: &Fit, term: &Term) -> Vec<Term> {
         if !self.is_stated(term) {
             return vec![term.clone()];

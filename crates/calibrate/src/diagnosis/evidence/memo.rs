@@ -1,4 +1,4 @@
-//! What was worked out before: a search comes to the same fits again on its several ways.
+//! A cache of computed results: a search comes to the same fits again on several ways.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -23,7 +23,7 @@ impl<T: Clone> Memo<T> {
         }
     }
 
-    /// The answer for a fit, worked out unless it is known.
+    /// The answer for a fit, computed unless it is known.
     pub(crate) fn of(&self, fit: &Fit, work: impl FnOnce() -> T) -> T {
         self.of_key(Key::of(fit), work)
     }
@@ -33,7 +33,7 @@ impl<T: Clone> Memo<T> {
         self.computed.borrow_mut().clear();
     }
 
-    /// The answer for what a key tells.
+    /// The result of a key.
     pub(crate) fn of_key(&self, key: Key, work: impl FnOnce() -> T) -> T {
         let known = self.computed.borrow().iter().find(|k| k.0 == key).cloned();
         if let Some((_, answer)) = known {
@@ -49,10 +49,10 @@ impl<T: Clone> Memo<T> {
     }
 }
 
-/// What tells one fit from another.
+/// What distinguishes one fit from another.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Key {
-    /// Every bit of the terms, and of what is known of the shapes.
+    /// Every bit of the terms and of the shapes.
     numbers: Vec<u64>,
     shapes: Vec<Shape>,
 }
@@ -66,7 +66,7 @@ impl Key {
         key
     }
 
-    /// The same, of something that is asked with this number.
+    /// The same, with this number as a part of the key.
     pub(crate) fn with(mut self, number: usize) -> Self {
         self.numbers.push(number as u64);
         self
@@ -81,7 +81,7 @@ impl Key {
             all.extend(term.coefficients.iter().map(|c| c.to_bits()));
             let held = |k: usize| u64::from(term.held.contains(k));
             all.extend((0..term.coefficients.len()).map(held));
-            // What is kept holds its curve, so no other one lies there.
+            // The kept entry holds its curve, so that no other one has its address.
             let curve = term.curve.as_ref().map_or(0, |c| Arc::as_ptr(c) as usize);
             all.push(curve as u64);
             let rest = term.rest.as_ref().map_or(0, |r| Arc::as_ptr(r) as usize);

@@ -1,4 +1,4 @@
-//! How a shape is made ready to be fitted beside a model.
+//! A shape is given its columns: orthogonal to the base where both could run away together.
 
 use std::sync::Arc;
 
@@ -28,9 +28,8 @@ impl Regression<'_> {
         }
     }
 
-    /// Leaves of columns what the base cannot do. A free curve over one of several joints does most of
-    /// what an axis that stands elsewhere does; fitted beside each other as they are, both run off against
-    /// each other, by metres.
+    /// Projects columns orthogonal to those of the base. A free curve over one of several joints can do most of what a
+    /// displaced axis does; fitted together without this, both run away in opposite directions, by metres.
     fn take_out_the_geometry(&self, raw: &mut DMatrix<f64>, white: &mut DMatrix<f64>) {
         let (residual, own_raw) = self.raw(&self.base);
         let (_, own_white) = self.whitened(&self.base, &residual, own_raw.clone());

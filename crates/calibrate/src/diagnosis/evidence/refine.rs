@@ -1,5 +1,5 @@
-//! The settings of a candidate, fitted finely to what a fit leaves: where a shape stands, and the order
-//! of a wave that need not be whole.
+//! The settings of a candidate refined on the residual of a fit: the place of a shape, and the order of a wave that
+//! need not be whole.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -17,7 +17,7 @@ use crate::diagnosis::candidates::table::CandidateKind;
 pub(crate) const NEIGHBOURS: f64 = 1.5;
 
 impl Regression<'_> {
-    /// A candidate with its shape fitted finely to what is left.
+    /// A candidate with its shape refined on the residual.
     pub(crate) fn refined(&self, fit: &Fit, candidate: usize) -> CandidateKind {
         match &self.table.candidates[candidate].what {
             CandidateKind::Anonymous(shape) => {
@@ -30,7 +30,7 @@ impl Regression<'_> {
         }
     }
 
-    /// A wave at its likeliest order: the whole number, unless a fraction is worth its price.
+    /// A wave at its likeliest order: the whole number, unless the gain of a fraction exceeds its penalty.
     pub(crate) fn refined_order(&self, fit: &Fit, term: &Term) -> Term {
         let Setting::Order { from, to } = term.effect.about().setting else {
             return term.clone();
@@ -78,7 +78,7 @@ impl Regression<'_> {
         } else {
             (nearest, worth(of_whole))
         };
-        // An order that the gear ratio asks for is no choice among all.
+        // An order that follows from the gear ratio is no choice among all.
         let stated = stated_orders(&self.base.robot, term.joint).map(|s| s.order);
         let near = stated.filter(|order| (order - term.setting).abs() < NEIGHBOURS);
         let pays = |order: f64| self.price_of_term(&at(order));
@@ -164,7 +164,7 @@ impl Wave {
     }
 }
 
-/// A profile with its two settings moved; `None` where it makes no sense any more.
+/// A profile with its two settings moved; `None` where the result is not valid.
 fn moved(profile: Profile, first: f64, second: f64) -> Option<Profile> {
     match profile {
         Profile::Bump { centre, width } => {

@@ -1,6 +1,6 @@
-//! Where candidates compete: the whitened rows, the table of candidates, and fits of a model with
-//! named terms and anonymous shapes to the same rows. How fits are compared: [`super::likelihood`]; what
-//! each candidate would do beside one: [`super::scores`].
+//! The regression in which candidates are compared: the whitened rows, the table of candidates, and fits of a model
+//! with named terms and anonymous shapes to the same rows. The comparison of fits is [`super::likelihood`]; the gain
+//! of each candidate given one [`super::scores`].
 
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -17,9 +17,9 @@ use super::fit::Fit;
 use super::grams::Grams;
 use super::largest_in_noise::LargestInNoise;
 use super::memo::Memo;
+use super::projections::Projections;
 use super::rival::Rival;
 use super::significance::Tests;
-use super::surroundings::Surroundings;
 use super::work::Work;
 use crate::diagnosis::candidates::columns::pad_rows;
 use crate::diagnosis::candidates::table::{CandidateKind, CandidateTable};
@@ -37,27 +37,27 @@ pub(crate) struct Regression<'a> {
     pub(crate) tests: Rc<Tests>,
     pub(crate) base: Model,
     priors: Vec<PriorRow>,
-    /// Number of rows beside those of the samples.
+    /// Number of rows of priors, in addition to those of the samples.
     pub(crate) prior_rows: usize,
     /// On how many threads parts of it are done; the answer is the same.
     pub(crate) threads: Threads,
-    /// What was done so far of what may be done.
+    /// The work that was done, of its budget.
     pub(crate) work: Work,
-    /// What noise alone does beside fits.
+    /// The distribution of the largest gain in noise alone, given a fit.
     pub(super) largest_in_noise: Memo<LargestInNoise>,
     /// The last fits, by where they began.
     pub(super) fits: Memo<Fit>,
     /// Errors on unseen samples ([`super::held_out`]): in units of the rows, and in mm.
     pub(crate) unseen: Memo<[f64; 2]>,
-    /// What candidates would do beside the last fits.
-    pub(crate) surroundings: Memo<Rc<Surroundings>>,
+    /// The projected columns of the candidates, given the last fits.
+    pub(crate) projections: Memo<Rc<Projections>>,
     /// Other names for a fit ([`crate::diagnosis::search::aliases`]).
     pub(crate) rivals: Memo<Vec<Rival>>,
-    /// What the noise itself says of the rows: −½ ln of its determinant, less its price.
+    /// The part of the evidence that the noise contributes: −½ ln of its determinant, less its penalty.
     pub(super) ln_noise: f64,
 }
 
-/// What it costs to say along which of the axes the noise is slow, if not along all.
+/// The penalty of the choice of the axes along which the noise is slow, if it is not along all.
 fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
     let slow = rows.axes.iter().filter(|axis| rms_mm[**axis] > 0.0).count();
     if slow == rows.axes.len() {
@@ -72,7 +72,7 @@ pub(crate) const KEPT: usize = 64;
 /// Lists of rivals that are kept for fits that a search comes to again.
 const RIVALS_KEPT: usize = 2;
 /// Tables that are kept: each has a column of some tens of numbers for every column of the candidates.
-const SURROUNDINGS_KEPT: usize = 3;
+const PROJECTIONS_KEPT: usize = 3;
 
 impl<'a> Regression<'a> {
     pub(crate) fn new(
@@ -84,7 +84,7 @@ impl<'a> Regression<'a> {
         threads: Threads,
     ) -> Self {
         let priors = prior_rows(&problem, &base);
-        let beside = priors.len() + rows.prior_rows(&base, &problem.priors).0.len();
+        let prior_rows = priors.len() + rows.prior_rows(&base, &problem.priors).0.len();
         let filter = noise.filter(&rows);
         let numbers = noise.slow.map_or(0.0, |slow| {
             1.0 + slow.rms_mm.iter().filter(|s| **s > 0.0).count() as f64
@@ -92,7 +92,7 @@ impl<'a> Regression<'a> {
         let choice = noise
             .slow
             .map_or(0.0, |slow| choice_of_axes(&rows, slow.rms_mm));
-        let numbers_of_a_basis = (rows.len() + beside) * base.coefficient_count();
+        let numbers_of_a_basis = (rows.len() + prior_rows) * base.coefficient_count();
         let last_fits = (budget::NUMBERS_KEPT / numbers_of_a_basis.max(1)).min(KEPT);
         let of_robot = f64::from(u8::from(noise.joints_rad > 0.0));
         let price = PRICE_OF_A_VARIANCE * (numbers + of_robot) + choice;
@@ -109,12 +109,12 @@ impl<'a> Regression<'a> {
             tests: Rc::default(),
             base,
             priors,
-            prior_rows: beside,
+            prior_rows,
             threads,
             largest_in_noise: Memo::new(KEPT),
             fits: Memo::new(last_fits),
             unseen: Memo::new(KEPT),
-            surroundings: Memo::new(SURROUNDINGS_KEPT),
+            projections: Memo::new(PROJECTIONS_KEPT),
             rivals: Memo::new(RIVALS_KEPT),
         }
     }
@@ -145,13 +145,13 @@ impl<'a> Regression<'a> {
         self.rows.count() as f64
     }
 
-    /// Number of all rows: those of the samples, and one for each coefficient of the base of which
-    /// something is known beforehand, and for what is known of places.
+    /// Number of all rows: those of the samples, one for each coefficient of the base with a prior, and those of the
+    /// priors of places.
     pub(crate) fn height(&self) -> usize {
         self.rows.len() + self.prior_rows
     }
 
-    /// Rows of what is known beforehand of the base's coefficients, behind those of the samples.
+    /// Rows of the priors of the base's coefficients, behind those of the samples.
     pub(crate) fn prior_rows(&self) -> std::ops::Range<usize> {
         let first = self.rows.len();
         first..first + self.priors.len()
@@ -182,9 +182,11 @@ impl<'a> Regression<'a> {
             first += term.coefficients.len();
         }
         if self.prior_rows > self.priors.len() {
-            let (left, columns) = self.rows.prior_rows(model, &self.problem.priors);
+            let (prior_residual, columns) = self.rows.prior_rows(model, &self.problem.priors);
             let from = m + self.priors.len();
-            jacobian.rows_mut(from, left.len()).copy_from(&columns);
+            jacobian
+                .rows_mut(from, prior_residual.len())
+                .copy_from(&columns);
         }
         (self.whitened_residual(model, raw), jacobian)
     }
@@ -203,17 +205,19 @@ impl<'a> Regression<'a> {
             }
         }
         if more > self.priors.len() {
-            let (left, _) = self.rows.prior_rows(model, &self.problem.priors);
+            let (prior_residual, _) = self.rows.prior_rows(model, &self.problem.priors);
             let from = m + self.priors.len();
-            residual.rows_mut(from, left.len()).copy_from(&left);
+            residual
+                .rows_mut(from, prior_residual.len())
+                .copy_from(&prior_residual);
         }
         residual
     }
 
-    /// Frees what was worked out so far, most of what is held: it is worked out again where it is asked for again.
+    /// Frees the caches, most of the memory: what is asked for again is computed again.
     pub(crate) fn forget(&self) {
         self.fits.clear();
-        self.surroundings.clear();
+        self.projections.clear();
         self.rivals.clear();
         self.largest_in_noise.clear();
     }
@@ -260,14 +264,14 @@ impl<'a> Regression<'a> {
     }
 }
 
-/// What is known beforehand of one coefficient of the base: it is 0 within σ, inner units.
+/// The prior of one coefficient of the base: 0 ± σ, inner units.
 struct PriorRow {
     term: Term,
     coefficient: usize,
     sigma: f64,
 }
 
-/// The rows of the priors that a problem carries; none of a robot with a single joint.
+/// The rows of the priors of a problem; none of a robot with a single joint.
 fn prior_rows(problem: &Problem, base: &Model) -> Vec<PriorRow> {
     let mut rows = Vec::new();
     for term in base.terms() {

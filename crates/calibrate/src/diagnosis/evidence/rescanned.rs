@@ -1,7 +1,7 @@
-//! What a fit leaves of samples that it has not seen, each of its terms at the setting that the others like best.
+//! Cross-validated residuals of a fit, each of its terms at the setting that is best without the samples held out.
 //!
-//! The step of a fit without some rows is taken from where the fit ended, with the columns that it has there; its
-//! shapes are solved for afresh, so that what is to be explained is what the model alone leaves.
+//! The step of a fit without some rows starts from the full fit, with its columns there; the shapes are linear and are
+//! solved for again, so that the signal to be explained is the residual of the model alone.
 
 use super::fitting::OF_A_FIT;
 use crate::effects::{Setting, Term};
@@ -10,19 +10,18 @@ use nalgebra::{DMatrix, DVector};
 
 use super::fit::Fit;
 use super::left_out::{Exchanged, Fitted, Scanned};
+use super::projections::ReducedFit;
 use super::regression::Regression;
 use super::shares::{Gains, SHARES, dealt};
-use super::surroundings::Without;
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::compatible;
 
-/// Settings that are scanned afresh, at most …
+/// Settings that are scanned again, at most …
 pub(crate) const MOST_SETTINGS: usize = 16;
-/// … of those that would lower the square by this share of what the term does, over all samples: a fifth of them
-/// does not make up for the rest.
+/// … of those whose gain is this share of the term's, over all samples: a fifth of them does not make up for more.
 const NEAR: f64 = 0.3;
 
-/// Whether a term's setting is scanned afresh in every fold.
+/// Whether a term's setting is scanned again in every fold.
 fn is_scanned(term: &Term) -> bool {
     // A fade is a coefficient like others: every fold's fit moves it.
     !matches!(
@@ -31,11 +30,16 @@ fn is_scanned(term: &Term) -> bool {
     )
 }
 
-/// Settings of a term, other than its own, that would lower the square by much of what the term does.
-fn near_its_own(regression: &Regression, fit: &Fit, term: &Term, rest: &Without) -> Vec<usize> {
-    let own = rest.rss - fit.rss;
-    let around = regression.surroundings(fit, CandidateSubset::Names);
-    let gain = |index: usize| around.gain(rest, &regression.table.candidates[index]);
+/// Settings of a term, other than its own, whose gain is a large part of the term's.
+fn near_its_own(
+    regression: &Regression,
+    fit: &Fit,
+    term: &Term,
+    reduced: &ReducedFit,
+) -> Vec<usize> {
+    let own = reduced.rss - fit.rss;
+    let around = regression.projections(fit, CandidateSubset::Names);
+    let gain = |index: usize| around.gain(reduced, &regression.table.candidates[index]);
     let setting = |index: &usize| {
         let term = regression.table.candidates[*index].what.term();
         term.map(|t| t.setting)
@@ -67,7 +71,7 @@ fn settings(regression: &Regression, term: &Term) -> Vec<usize> {
 pub(super) struct Rescanned<'f, 'a> {
     regression: &'f Regression<'a>,
     fitted: Fitted,
-    /// What the model alone leaves, and the columns with those of the shapes at the end, as they are measured.
+    /// The residual of the model alone, and its columns with those of the shapes, not whitened.
     residual: DVector<f64>,
     columns: DMatrix<f64>,
 }
@@ -85,7 +89,7 @@ impl<'f, 'a> Rescanned<'f, 'a> {
 
     fn of(regression: &'f Regression<'a>, fit: &Fit, terms: Vec<Scanned>) -> Self {
         let (residual, mut columns) = regression.raw(&fit.model);
-        let (left, mut white) = regression.whitened(&fit.model, &residual, columns.clone());
+        let (residuals, mut white) = regression.whitened(&fit.model, &residual, columns.clone());
         for shape in &fit.shapes {
             for (all, own) in [(&mut columns, &*shape.raw), (&mut white, &*shape.white)] {
                 let at = all.ncols();
@@ -102,15 +106,15 @@ impl<'f, 'a> Rescanned<'f, 'a> {
         let products = 2.0 * OF_A_FIT + bases as f64;
         regression.work.did((height * width) as f64 * products);
         Self {
-            fitted: Fitted::new(&fit.basis, &white, left, terms),
+            fitted: Fitted::new(&fit.basis, &white, residuals, terms),
             regression,
             residual,
             columns,
         }
     }
 
-    /// What a fit without each of these sets of rows leaves of them, where its first so many columns predict.
-    pub(crate) fn left(&self, folds: &[Vec<usize>], columns: usize) -> Vec<Vec<f64>> {
+    /// The residuals of each of these sets of rows in a fit without them, where its first so many columns predict.
+    pub(crate) fn residuals(&self, folds: &[Vec<usize>], columns: usize) -> Vec<Vec<f64>> {
         let fitted = &self.fitted;
         let steps = self
             .regression
@@ -118,18 +122,18 @@ impl<'f, 'a> Rescanned<'f, 'a> {
             .each(folds.len(), |k| fitted.step(&folds[k]));
         let steps = steps.into_iter().zip(folds);
         steps
-            .map(|(step, rows)| self.left_by(step, rows, columns))
+            .map(|(step, rows)| self.residuals_of(step, rows, columns))
             .collect()
     }
 
-    fn left_by(
+    fn residuals_of(
         &self,
         (step, exchanged): (DVector<f64>, Vec<Exchanged>),
         rows: &[usize],
         columns: usize,
     ) -> Vec<f64> {
         let width = columns.min(self.columns.ncols());
-        // What terms with another setting do more than with the fit's.
+        // The difference of terms with another setting from the fit's.
         let more = exchanged.into_iter().map(|(at, setting, own)| {
             let term = &self.fitted.terms()[at];
             let table = &self.regression.table;
@@ -138,19 +142,24 @@ impl<'f, 'a> Rescanned<'f, 'a> {
             raw * own - self.columns.columns(term.first, candidate.size) * &term.coefficients
         });
         let more: Vec<DVector<f64>> = more.collect();
-        let left = rows.iter().map(|row| {
+        let residuals = rows.iter().map(|row| {
             let own = self.columns.row(*row);
             let predicted = own.columns(0, width).tr_dot(&step.rows(0, width));
             let more: f64 = more.iter().map(|own| own[*row]).sum();
             self.residual[*row] - predicted - more
         });
-        left.collect()
+        residuals.collect()
     }
 }
 
-/// What a term brings where its joint and its setting are chosen again without each share of the poses in turn. (Among all
-/// names of as many coefficients one that is right lost to its neighbours: of 56 stars a telescope's encoder.)
-pub(crate) fn chosen_again(regression: &Regression, fit: &Fit, rest: &Fit, term: &Term) -> Gains {
+/// The gain of a term where its joint and its setting are chosen again without each share of the poses in turn. (Among
+/// all names of as many coefficients one that is right lost to its neighbours: of 56 stars a telescope's encoder.)
+pub(crate) fn chosen_again(
+    regression: &Regression,
+    fit: &Fit,
+    reduced: &Fit,
+    term: &Term,
+) -> Gains {
     let rows = &regression.rows;
     let share = dealt(rows);
     let n = share.len();
@@ -160,13 +169,13 @@ pub(crate) fn chosen_again(regression: &Regression, fit: &Fit, rest: &Fit, term:
             .collect()
     };
     let shares: Vec<Vec<usize>> = (0..SHARES).map(of_share).collect();
-    let anywhere = anywhere(regression, fit, rest, term);
+    let anywhere = anywhere(regression, fit, reduced, term);
     let with = Rescanned::of(regression, fit, vec![anywhere]);
-    let without = Rescanned::as_it_is(regression, rest);
+    let without = Rescanned::as_it_is(regression, reduced);
     let mut squares = vec![[0.0; 2]; n];
     for (k, of) in [without, with].into_iter().enumerate() {
-        for (own, left) in shares.iter().zip(of.left(&shares, usize::MAX)) {
-            for (row, e) in own.iter().zip(left) {
+        for (own, residuals) in shares.iter().zip(of.residuals(&shares, usize::MAX)) {
+            for (row, e) in own.iter().zip(residuals) {
                 squares[row % n][k] += (rows.mm(*row) * e).powi(2);
             }
         }
@@ -174,11 +183,11 @@ pub(crate) fn chosen_again(regression: &Regression, fit: &Fit, rest: &Fit, term:
     Gains::of(rows, &squares)
 }
 
-/// A term with all joints and settings that may stand in the place of its own.
-fn anywhere(regression: &Regression, fit: &Fit, rest: &Fit, term: &Term) -> Scanned {
+/// A term with all joints and settings that may replace its own.
+fn anywhere(regression: &Regression, fit: &Fit, reduced: &Fit, term: &Term) -> Scanned {
     let before = fit.model.terms().iter();
     let before = before.take_while(|t| !t.same_column(term));
-    let there = regression.added(rest);
+    let there = regression.added(reduced);
     let id = term.effect.about().id;
     let all = regression.table.candidates.iter().enumerate();
     let own = all.filter(|(_, candidate)| {
@@ -208,9 +217,9 @@ fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
         if !is_scanned(term) {
             continue;
         }
-        let rest = many.then(|| regression.without(fit, term)).flatten();
-        let candidates = match rest {
-            Some(rest) => near_its_own(regression, fit, term, &rest),
+        let reduced = many.then(|| regression.without(fit, term)).flatten();
+        let candidates = match reduced {
+            Some(reduced) => near_its_own(regression, fit, term, &reduced),
             None => settings(regression, term),
         };
         if candidates.is_empty() {
@@ -272,16 +281,19 @@ mod tests {
             let step = anew.solve(&residual.select_rows(&stay));
             let expected = &raw - &columns * step;
             let folds = [out];
-            let left = rescanned.left(&folds, usize::MAX).remove(0);
+            let residuals = rescanned.residuals(&folds, usize::MAX).remove(0);
             let [out] = folds;
-            let apart = out.iter().zip(&left).map(|(row, e)| expected[*row] - e);
+            let apart = out
+                .iter()
+                .zip(&residuals)
+                .map(|(row, e)| expected[*row] - e);
             let apart = apart.fold(0.0, |most: f64, e| most.max(e.abs()));
             assert!(apart < 1e-3 * expected.amax(), "{apart}");
         }
     }
 
-    /// An eccentric encoder predicts where it is chosen again; a ripple beside it, fitted to noise at whatever order it is
-    /// likeliest, does not.
+    /// An eccentric encoder predicts when its setting is chosen again; a ripple in addition to it, fitted to noise at
+    /// its likeliest order, does not.
     #[test]
     fn what_noise_chose_predicts_nothing_where_it_is_chosen_again() {
         let session = eccentric(15, 0.05);
@@ -297,9 +309,9 @@ mod tests {
             let best = own.max_by(|a, b| a.gain.total_cmp(&b.gain)).unwrap();
             regression.with(fit, &regression.table.candidates[best.candidate].what)
         };
-        let gain = |fit: &Fit, rest: &Fit| {
+        let gain = |fit: &Fit, reduced: &Fit| {
             let term = regression.added(fit).pop().unwrap();
-            chosen_again(regression, fit, rest, term)
+            chosen_again(regression, fit, reduced, term)
         };
         let one = named("encoder-eccentricity", &base);
         let there = gain(&one, &base);

@@ -1,4 +1,4 @@
-//! Another explanation of the same samples.
+//! A rival: an alternative explanation of the same samples.
 
 use crate::effects::Term;
 
@@ -7,7 +7,7 @@ use super::fit::Fit;
 /// Another explanation.
 #[derive(Debug, Clone)]
 pub(crate) struct Rival {
-    /// What it replaces.
+    /// The terms that it replaces.
     pub(crate) removed: Vec<Term>,
     pub(crate) instead: Vec<Term>,
     /// The refitted model.

@@ -1,8 +1,8 @@
-//! What a candidate would do beside a fit.
+//! The score of a candidate given a fit.
 
 use crate::diagnosis::candidates::table::Candidate;
 
-/// What one candidate would do beside a fit.
+/// The score of one candidate given a fit.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Score {
     pub(crate) candidate: usize,
@@ -14,9 +14,8 @@ pub(crate) struct Score {
     pub(crate) ln_odds: f64,
 }
 
-/// What a candidate pays in the family-wise test for the settings of its kind: the square root of
-/// their number, so that plain effects keep power beside the hundreds of gear orders; shapes pay
-/// three times as much as names.
+/// The penalty of a candidate in the family-wise test for the settings of its kind: the square root of their number,
+/// so that plain effects keep power in spite of the hundreds of gear orders; shapes pay three times as much as names.
 pub(crate) fn weight_of(candidate: &Candidate) -> f64 {
     let anonymous = if candidate.named() { 0.0 } else { 3.0_f64.ln() };
     0.5 * candidate.tried.max(1.0).ln() + anonymous

@@ -1,4 +1,4 @@
-//! What each candidate would do beside a fit.
+//! The scores of all candidates given a fit.
 
 use std::rc::Rc;
 
@@ -25,17 +25,17 @@ struct Gain {
 }
 
 impl Regression<'_> {
-    /// Scores of candidates beside what has a rank and leaves a sum of squares, from the Cholesky factor of what it
-    /// leaves of each and their products with its residual.
+    /// Scores of candidates given a fit's rank and residual sum of squares, from the Cholesky factor of the projected
+    /// columns of each and their products with its residual.
     pub(crate) fn scores(
         &self,
-        (rank_beside, rss): (usize, f64),
+        (rank_of_fit, rss): (usize, f64),
         among: CandidateSubset,
         factor: impl Fn(&Candidate) -> (Vec<f64>, usize),
         pulls: &[f64],
     ) -> Vec<Score> {
         let m = self.m();
-        let freedom = m - rank_beside as f64;
+        let freedom = m - rank_of_fit as f64;
         let total = self.rounded(rss);
         let mut scores = Vec::new();
         let mut tests: Vec<Option<Rc<Significance>>> = Vec::new();
@@ -79,7 +79,7 @@ impl Regression<'_> {
         scores
     }
 
-    /// The columns of a term that is absent so far, beside a fit.
+    /// The columns of a term that is absent so far, given a fit.
     pub(crate) fn columns_of(&self, fit: &Fit, term: &Term) -> DMatrix<f64> {
         let absent = Term::absent(term.effect, term.joint, term.setting);
         let model = fit.model.with_term(absent.clone());
@@ -112,7 +112,7 @@ impl Regression<'_> {
         Basis::new(&free).q.tr_mul(&fit.residual).norm_squared()
     }
 
-    /// Columns of terms of which nothing is known beforehand, whitened, with the rows of the priors.
+    /// Columns of terms without a prior, whitened, with the rows of the priors.
     pub(super) fn white_of(&self, raw: &DMatrix<f64>) -> DMatrix<f64> {
         let mut white = raw.clone();
         self.filter.whiten(white.as_mut_slice());
@@ -133,8 +133,8 @@ impl Regression<'_> {
         pad_rows(raw, self.prior_rows)
     }
 
-    /// By how much a candidate lowers the sum of squares; `None` where nothing of it is left, or
-    /// where it would have to be negative and cannot.
+    /// By how much a candidate lowers the sum of squares; `None` where it is linearly dependent on the fit, or where
+    /// it would have to be negative and cannot.
     fn gain(
         (factor, rank): (Vec<f64>, usize),
         candidate: &Candidate,

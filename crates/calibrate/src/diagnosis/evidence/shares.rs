@@ -1,8 +1,8 @@
-//! Poses by which nothing is chosen: they are dealt into shares, each of which is predicted by what the others chose.
+//! Nested cross-validation: the poses are dealt into shares, and each share is predicted by what the others chose.
 //!
-//! Over the samples that chose it, whatever was chosen among many is worth too much. Where all of the choice is made again
-//! without the samples that judge it, the gain there is no likelier to be too large than too small (nested
-//! cross-validation: Varma & Simon 2006, BMC Bioinformatics 7:91).
+//! The gain of the best of many choices is biased upwards on the samples that chose it. Where the whole choice is
+//! repeated without the samples that judge it, the gain there is unbiased (nested cross-validation: Varma & Simon
+//! 2006, BMC Bioinformatics 7:91).
 
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
@@ -27,7 +27,7 @@ pub(crate) fn dealt(rows: &Rows) -> Vec<usize> {
     places.to_samples(&share)
 }
 
-/// What something brings on samples that it has not seen.
+/// The gain on unseen samples.
 pub(crate) struct Gains {
     pub(crate) before_mm: f64,
     pub(crate) after_mm: f64,
@@ -40,7 +40,7 @@ impl Gains {
     pub(crate) fn of(rows: &Rows, squares: &[[f64; 2]]) -> Self {
         let count = rows.lengths().max(1) as f64;
         let rms = |k: usize| (squares.iter().map(|s| s[k]).sum::<f64>() / count).sqrt();
-        // The rows of a pose share what the robot did not repeat: a pose is one witness.
+        // The rows of a pose share the error of repeatability: a pose is one observation.
         let poses = ByPose::of(rows.inputs.pose.as_deref(), squares.len()).samples();
         let gained = |i: &usize| squares[*i][0] - squares[*i][1];
         let of_pose = |own: &Vec<usize>| own.iter().map(gained).sum();

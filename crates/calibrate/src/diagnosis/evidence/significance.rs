@@ -1,4 +1,4 @@
-//! How surprising a gain is by chance: with k columns against ν = m − p − k degrees of freedom
+//! The significance of a gain: with k columns against ν = m − p − k degrees of freedom
 //!
 //! ```text
 //! p = P(Beta(ν/2, k/2) < 1 − R²),   R² = gain / rss
@@ -26,7 +26,7 @@ pub(crate) struct Significance {
     table: Vec<f64>,
 }
 
-/// Tests that were made: their tables take longer than what is read from them.
+/// Tables of tests that were made: making one takes longer than reading it.
 #[derive(Debug, Default)]
 pub(crate) struct Tests(RefCell<Vec<(usize, u64, Rc<Significance>)>>);
 
@@ -46,7 +46,7 @@ impl Tests {
 }
 
 impl Significance {
-    /// For `columns` against `freedom` degrees of freedom that are left beside them.
+    /// For `columns` against the remaining `freedom` degrees of freedom.
     pub(crate) fn new(columns: usize, freedom: f64) -> Self {
         let mut new = Self {
             half_nu: 0.5 * freedom.max(1.0),
@@ -83,8 +83,8 @@ impl Significance {
     }
 
     fn exact(&self, x: f64) -> f64 {
-        let left = (-x / self.half_nu).exp();
-        if left >= 1.0 {
+        let remaining = (-x / self.half_nu).exp();
+        if remaining >= 1.0 {
             return 0.0;
         }
         let p = beta_below(self.half_nu, self.half_k, x / self.half_nu);
@@ -93,7 +93,7 @@ impl Significance {
         }
         // The leading term of the series for a small tail.
         let ln_left = -x / self.half_nu;
-        let series = self.half_nu * ln_left + (self.half_k - 1.0) * (-left).ln_1p()
+        let series = self.half_nu * ln_left + (self.half_k - 1.0) * (-remaining).ln_1p()
             - self.half_nu.ln()
             - ln_beta(self.half_nu, self.half_k);
         -series

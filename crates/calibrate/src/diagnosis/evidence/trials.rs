@@ -1,4 +1,4 @@
-//! Every candidate beside one model, and simulated residuals that are sent through all of them.
+//! Simulated residuals sent through every candidate given one model.
 
 use std::rc::Rc;
 
@@ -6,14 +6,14 @@ use nalgebra::{DMatrix, DVector};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use super::projections::Projections;
 use super::regression::Regression;
 use super::score::weight_of;
 use super::significance::Significance;
-use super::surroundings::Surroundings;
 use crate::budget;
 use crate::diagnosis::candidates::table::Candidate;
 
-/// One candidate beside a model.
+/// One candidate given a model.
 struct Trial<'c> {
     candidate: &'c Candidate,
     /// Cholesky factor of its columns, row by row.
@@ -29,16 +29,16 @@ struct CandidateClass {
     test: Rc<Significance>,
 }
 
-/// Every candidate beside one model, for residuals to be sent through.
+/// Every candidate given one model, for residuals to be sent through.
 pub(super) struct Trials<'p, 'a> {
     regression: &'p Regression<'a>,
-    around: &'p Surroundings,
+    around: &'p Projections,
     all: Vec<Trial<'p>>,
     kinds: Vec<CandidateClass>,
 }
 
 impl<'p, 'a> Trials<'p, 'a> {
-    pub(crate) fn new(regression: &'p Regression<'a>, around: &'p Surroundings) -> Self {
+    pub(crate) fn new(regression: &'p Regression<'a>, around: &'p Projections) -> Self {
         let freedom = regression.m() - around.basis.rank() as f64;
         let mut kinds: Vec<CandidateClass> = Vec::new();
         let mut all = Vec::new();
@@ -82,7 +82,7 @@ impl<'p, 'a> Trials<'p, 'a> {
             let sign = random.next_u32() & (1 << 31);
             f64::from(f32::from_bits(residual[row].to_bits() ^ sign))
         });
-        let (noise, totals) = self.beside(z);
+        let (noise, totals) = self.projected(z);
         let columns = &self.regression.table.columns;
         let end = |t: &Trial| t.candidate.first + t.candidate.size;
         let mut together: Vec<&[Trial]> = Vec::new();
@@ -112,7 +112,7 @@ impl<'p, 'a> Trials<'p, 'a> {
             }
             most
         };
-        // The largest is the same in whatever order it is looked for.
+        // The largest does not depend on the order of the search.
         let mut most = none.clone();
         for own in self
             .regression
@@ -132,9 +132,9 @@ impl<'p, 'a> Trials<'p, 'a> {
         (0..count).map(one).collect()
     }
 
-    /// Vectors without what the model explains, as products with the columns need them, and what is left of the square
+    /// Vectors projected orthogonal to the model, in the form that products with the columns need, and the square norm
     /// of each.
-    fn beside(&self, mut z: DMatrix<f64>) -> (Vec<DMatrix<f32>>, Vec<f32>) {
+    fn projected(&self, mut z: DMatrix<f64>) -> (Vec<DMatrix<f32>>, Vec<f32>) {
         let q = &self.around.basis.q;
         let along = q.transpose() * &z;
         z.gemm(-1.0, q, &along, 1.0);
@@ -147,8 +147,8 @@ impl<'p, 'a> Trials<'p, 'a> {
 }
 
 impl Trial<'_> {
-    /// By how much the candidate lowers the square of each residual, from what it pulls of them: a column of
-    /// pulls for each of its columns, `‖L⁻¹ h‖²` by forward substitution.
+    /// By how much the candidate lowers the square of each residual, from its products with them: a column of products
+    /// for each of its columns, `‖L⁻¹ h‖²` by forward substitution.
     fn gains(&self, pulls: &mut [f32], gain: &mut [f32]) {
         let (k, count) = (self.candidate.size, gain.len());
         gain.fill(0.0);

@@ -1,8 +1,8 @@
-//! What a search may cost: counted in products of numbers, never by a clock, so that the same session ends the
-//! same way on every machine.
+//! The budget of a search: counted in products of numbers, never by a clock, so that the same session ends in the same
+//! way on every machine.
 //!
-//! The search has shares of it one after the other. Where its share is spent nothing more is looked for: what was
-//! found so far is tested and said, and that the search ended there. The same where the watcher asks it to stop.
+//! The search has shares of it one after the other. Where its share is spent nothing more is searched for: what was
+//! found so far is tested and reported, and that the search ended there. The same where the watcher asks it to stop.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -34,7 +34,7 @@ struct Counts {
 }
 
 impl Work {
-    /// None yet, for so many samples that are searched.
+    /// None spent, for so many samples that are searched.
     pub(crate) fn new(samples: usize) -> Self {
         Self(Rc::new(Counts {
             done: Cell::new(0.0),
@@ -50,12 +50,12 @@ impl Work {
         self.0.done.set(self.0.done.get() + products);
     }
 
-    /// From here on the search may go on up to this share of the whole.
+    /// From here on the search may spend up to this share of the whole.
     pub(crate) fn up_to(&self, share: f64) {
         self.0.share.set(share);
     }
 
-    /// The watcher wants what is proven so far.
+    /// The watcher stops the search and wants what was found so far.
     pub(crate) fn stop(&self) {
         self.0.asked_to_stop.set(true);
     }
@@ -65,7 +65,7 @@ impl Work {
         self.0.asked_to_stop.get()
     }
 
-    /// Whether nothing more is to be looked for; who asks leaves something undone.
+    /// Whether the search has to end; the caller leaves something undone.
     pub(crate) fn is_over(&self) -> bool {
         let over = self.is_spent();
         if over {
@@ -74,7 +74,7 @@ impl Work {
         over
     }
 
-    /// Whether its share is spent; who asks leaves nothing undone that could be found.
+    /// Whether its share is spent; the caller leaves nothing undone that could be found.
     pub(crate) fn is_spent(&self) -> bool {
         let Counts {
             done, most, share, ..
@@ -82,12 +82,12 @@ impl Work {
         self.was_stopped() || done.get() > share.get() * most
     }
 
-    /// What was left undone is looked for again.
+    /// The search continues with what was left undone.
     pub(crate) fn begin_again(&self) {
         self.0.ended.set(false);
     }
 
-    /// Why something that might have been found was not looked for; `None` where everything was.
+    /// Why the search ended early; `None` where it did not.
     pub(crate) fn ended(&self) -> Option<Stopped> {
         if self.was_stopped() {
             Some(Stopped::Asked)
@@ -96,7 +96,7 @@ impl Work {
         }
     }
 
-    /// Which part of all that it may cost is done, 0 to 1.
+    /// The share of the budget that is spent, 0 to 1.
     pub(crate) fn spent(&self) -> f64 {
         (self.0.done.get() / self.0.most).min(1.0)
     }

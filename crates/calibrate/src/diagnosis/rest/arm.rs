@@ -1,7 +1,7 @@
-//! What predicts without a name on a robot with several joints: gravity, conditions, harmonics, smooth curves, gear
-//! orders ([`families`](super::families)), each family with a strength that the samples set and shrunk to nothing where
-//! it brings nothing ([`groups`](super::groups)). It is there only where it predicts cells of the workspace better, by
-//! more than noise does, and poses by which nothing of it was chosen.
+//! Repeating errors without a name on a robot with several joints: gravity, conditions, harmonics, smooth curves, gear
+//! orders ([`families`](super::families)), each family with a strength that the samples determine, zero where it gains
+//! nothing ([`groups`](super::groups)). It is kept only where cross-validation over cells of the workspace improves by
+//! more than noise does, and so does nested cross-validation over poses.
 
 use crate::diagnosis::evidence::shares::{Gains, SHARES};
 use crate::effects::Term;
@@ -16,8 +16,7 @@ use super::design::Design;
 
 /// The gain on unseen samples has to be so many times its own standard deviation …
 const SURE: f64 = 2.5;
-/// … or so many where the samples are beyond doubt: of few samples a few that were far off make the gain of all
-/// uncertain …
+/// … or so many where there are enough samples: of few samples a few gross errors make the gain of all uncertain …
 const SURE_ENOUGH: f64 = 1.5;
 /// … and so many on poses by which nothing was chosen: there the gain is no likelier to be too large than too small. (Of
 /// a normal distribution one in six is farther off on one side.)
@@ -33,7 +32,7 @@ pub(crate) struct FittedFamilies {
     pub(crate) over: Vec<Text>,
 }
 
-/// The families that predict beside a model and a noise, if any do.
+/// The families that predict in addition to a model, given a noise, if any do.
 pub(crate) fn fitted(
     problem: &Problem,
     noise: &Noise,
@@ -64,9 +63,9 @@ pub(crate) fn fitted(
     })
 }
 
-/// What the families bring where all of it, which there are and how strong they are, is chosen again without a share of
-/// the poses, which they then predict. Over the cells that chose them they are worth too much: of 25 poses of a real arm
-/// 0.11 mm became 0.08 mm there, 0.14 mm here, and 0.14 mm on poses that no fit has seen.
+/// The gain of the families by nested cross-validation: which there are and how strong they are is chosen again
+/// without a share of the poses, which they then predict. Over the cells that chose them it is biased upwards: of 25
+/// poses of a real arm 0.11 mm became 0.08 mm there, 0.14 mm here, and 0.14 mm on poses that no fit has seen.
 fn on_poses_that_chose_nothing(design: &Design) -> Option<Gains> {
     let mut squares: Vec<[f64; 2]> = Vec::new();
     for share in 0..SHARES {
@@ -104,7 +103,7 @@ fn chosen(mut design: Design) -> Option<Chosen> {
     if likelier < odds::TAKEN.nats() {
         return None;
     }
-    // A family that does not help on unseen cells goes.
+    // A family without a gain on unseen cells is dropped.
     let unseen = design.unseen()?;
     let mut gains = design.gains(&unseen, &strengths)?;
     for family in 0..strengths.len() {

@@ -1,13 +1,13 @@
-//! What a curve over a joint is fitted to: the residuals of a model along the joint's motion, across it and along its
-//! axis, each a problem of its own with its own noise,
+//! The regression of a curve over a joint: the residuals of a model along the joint's motion, across it and along its
+//! axis, each a problem with its own noise,
 //!
 //! ```text
 //! y_d = J_d β_d + m_d (c_d(q) + dir h_d(q)) + e_d
 //! ```
 //!
-//! `m_d`: mm by which the point moves for a unit of the curve (along a turning joint's motion its radius). The three are
-//! orthogonal, so that a coordinate that was not measured, or was computed from the others, adds nothing to them. Beside
-//! a noise that is known they are one problem, all rows as they are.
+//! `m_d`: mm by which the point moves for a unit of the curve (along a turning joint's motion its radius). The three
+//! are orthogonal, so that a coordinate that was not measured, or was computed from the others, adds nothing to them.
+//! With a known noise they are one problem, all rows as they are.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -44,35 +44,35 @@ pub(super) struct Columns<'a> {
 pub(super) struct Block {
     /// Which sample each is of.
     pub(super) samples: Vec<usize>,
-    /// Along the motion, the radius, the axis: the directions of the curve that move them.
+    /// Along the motion, the radius, the axis: the directions of the curve that affect them.
     pub(super) directions: Vec<usize>,
     /// A value of 1 at a knot of each direction, in rad or mm: it moves the samples by 1 mm, root mean square.
     pub(super) unit: Vec<f64>,
     /// Residual, mm.
     pub(super) residual: DVector<f64>,
-    /// Of what is fitted beside the curve, scaled to length 1.
+    /// Of the terms that are fitted with the curve, scaled to length 1.
     pub(super) base: DMatrix<f64>,
     /// mm by which a unit of the curve in each direction moves each row.
     moves: DMatrix<f64>,
-    /// What whitens them; `None`: their noise is white and of one size.
+    /// The whitening filter; `None`: their noise is white and of one size.
     filter: Option<Filter>,
-    /// What rounding leaves in one of them, whitened, squared.
+    /// The square of the rounding in one of them, whitened.
     floor: f64,
     /// Those that were measured.
     pub(super) measured: Vec<usize>,
 }
 
 impl<'a> Columns<'a> {
-    /// Of the samples of a problem that count, direction by direction; `beside` says which terms of the model are fitted
-    /// beside the curve, which takes nothing from them.
+    /// Of the samples of a problem that count, direction by direction; `fitted_with` selects the terms of the model that
+    /// are fitted with the curve, which is orthogonal to them.
     pub(super) fn new(
         problem: &Problem<'a>,
         model: &Model,
         joint: usize,
-        beside: impl Fn(&Term) -> bool,
+        fitted_with: impl Fn(&Term) -> bool,
     ) -> Self {
         let rows = Rows::of(&problem.thinned(MOST_SAMPLES)).seen_by(model);
-        let [mut directions, mut base, mut residual] = extracted(&rows, model, joint, beside);
+        let [mut directions, mut base, mut residual] = extracted(&rows, model, joint, fitted_with);
         for row in 0..rows.len() {
             for all in [&mut directions, &mut base, &mut residual] {
                 all.row_mut(row).scale_mut(rows.mm(row));
@@ -82,7 +82,7 @@ impl<'a> Columns<'a> {
         Self::of(rows, joint, blocks)
     }
 
-    /// The same in all directions together beside a noise, and beside all terms of the model.
+    /// The same in all directions together with a known noise, and with all terms of the model.
     pub(super) fn together(
         problem: &Problem<'a>,
         noise: &Noise,
@@ -146,23 +146,23 @@ impl<'a> Columns<'a> {
         }
     }
 
-    /// Sets the noise of each block by what is left of its rows; whether it wanders in any.
-    pub(super) fn wander(&mut self, left: &[DVector<f64>]) -> bool {
+    /// Estimates the noise of each block from the residuals of its rows; whether it is slow in any.
+    pub(super) fn wander(&mut self, residuals: &[DVector<f64>]) -> bool {
         let mut slow = false;
-        for (block, left) in self.blocks.iter_mut().zip(left) {
-            slow |= block.wander(&self.rows, left);
+        for (block, residuals) in self.blocks.iter_mut().zip(residuals) {
+            slow |= block.wander(&self.rows, residuals);
         }
         slow
     }
 }
 
-/// How a unit of a curve over a joint moves rows in each direction, the columns of the terms that are fitted beside it,
-/// and the residual.
+/// The move of rows in each direction by a unit of a curve over a joint, the columns of the terms that are fitted with
+/// it, and the residual.
 fn extracted(
     rows: &Rows,
     model: &Model,
     joint: usize,
-    beside: impl Fn(&Term) -> bool,
+    fitted_with: impl Fn(&Term) -> bool,
 ) -> [DMatrix<f64>; 3] {
     let probe = Term::absent(&EACH_DIRECTION, joint, 0.0);
     let model = model.with_term(probe.clone());
@@ -179,7 +179,7 @@ fn extracted(
     let residual = DMatrix::from_columns(&[residual]);
     [
         of(&is_probe),
-        of(&|term| !is_probe(term) && beside(term)),
+        of(&|term| !is_probe(term) && fitted_with(term)),
         residual,
     ]
 }
@@ -208,13 +208,13 @@ impl Block {
                     }
                 }
                 let length = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-                let left = length(&v);
-                if left > 0.0 && left > MOST_SEEN * length(&whole) {
+                let norm = length(&v);
+                if norm > 0.0 && norm > MOST_SEEN * length(&whole) {
                     for x in &mut v {
-                        *x /= left;
+                        *x /= norm;
                     }
                     taken.push(v.clone());
-                    own.push((sample, v, left));
+                    own.push((sample, v, norm));
                 }
             }
             if own.is_empty() {
@@ -226,10 +226,10 @@ impl Block {
                 of.map(|(a, u)| u * all[(a * n + sample, column)]).sum()
             };
             let m = own.len();
-            let mut beside = DMatrix::from_fn(m, base.ncols(), |k, c| along(k, base, c));
-            for (mut column, whole) in beside.column_iter_mut().zip(base.column_iter()) {
+            let mut own_base = DMatrix::from_fn(m, base.ncols(), |k, c| along(k, base, c));
+            for (mut column, whole) in own_base.column_iter_mut().zip(base.column_iter()) {
                 let norm = column.norm();
-                // What moves nothing in this direction leaves rounding there.
+                // Only rounding: the column does not act in this direction.
                 if norm > MOST_SEEN * whole.norm() {
                     column.unscale_mut(norm);
                 } else {
@@ -241,7 +241,7 @@ impl Block {
                 directions: vec![direction],
                 unit: vec![(m as f64).sqrt() / moves.norm()],
                 residual: DVector::from_fn(m, |k, _| along(k, residual, 0)),
-                base: beside,
+                base: own_base,
                 moves: DMatrix::from_columns(&[moves]),
                 filter: None,
                 floor: rounding::WRITTEN * rounding::WRITTEN,
@@ -291,10 +291,10 @@ impl Block {
         }
     }
 
-    /// Sets the noise by what is left of the rows; whether it wanders.
-    fn wander(&mut self, rows: &Rows, left: &DVector<f64>) -> bool {
+    /// Estimates the noise from the residuals of the rows; whether it is slow.
+    fn wander(&mut self, rows: &Rows, residuals: &DVector<f64>) -> bool {
         let own = rows.of_one_axis(&self.samples);
-        let noise = Noise::estimate(None, &own, left, &self.base);
+        let noise = Noise::estimate(None, &own, residuals, &self.base);
         let slow = noise.slow.map(|slow| Slow {
             rms_mm: [slow.rms_mm[0]; 3],
             ..slow

@@ -41,9 +41,9 @@ pub(super) struct Design<'a> {
     parts: Vec<Products>,
     /// The share of each sample.
     share: Vec<usize>,
-    /// The share that nothing is chosen or fitted by.
+    /// The share that is held out of every choice and fit.
     apart: Option<usize>,
-    /// Of what is known beforehand.
+    /// Of the priors.
     products: Option<Products>,
     total: Products,
     threads: Threads,
@@ -52,12 +52,12 @@ pub(super) struct Design<'a> {
 /// A column of the whole model: its number there, its term and coefficient.
 type Column = (usize, Term, usize);
 
-/// Whether a column is fitted here: names keep their values, as in what is handed out.
+/// Whether a column is fitted here: names keep their values, as in the model that is handed out.
 fn is_fitted(term: &Term, coefficient: usize) -> bool {
     base_model::belongs(term.effect.about().id) && !term.held.contains(coefficient)
 }
 
-/// What is known of the columns beforehand, as rows in units of its own width, and what is left of it.
+/// The priors of the columns as rows in units of their standard deviations, and their residuals.
 fn known_rows(
     problem: &Problem<'_>,
     model: &Model,
@@ -69,8 +69,8 @@ fn known_rows(
     let known: Vec<(usize, f64, f64)> = known
         .filter_map(|(c, o)| Some((c, sigma(o)?, o.1.coefficients[o.2])))
         .collect();
-    let (left, columns) = rows.prior_rows(model, &problem.priors);
-    let mut all = DMatrix::zeros(known.len() + left.len(), own.len());
+    let (prior_residual, columns) = rows.prior_rows(model, &problem.priors);
+    let mut all = DMatrix::zeros(known.len() + prior_residual.len(), own.len());
     let mut y = DVector::zeros(all.nrows());
     for (row, (column, sigma, value)) in known.iter().enumerate() {
         all[(row, *column)] = 1.0 / sigma;
@@ -79,11 +79,12 @@ fn known_rows(
     let of_model = model.columns().enumerate();
     let of_model = of_model.filter(|(_, (term, k))| is_fitted(term, *k));
     for (column, (place, _)) in of_model.enumerate() {
-        for row in 0..left.len() {
+        for row in 0..prior_residual.len() {
             all[(known.len() + row, column)] = columns[(row, place)];
         }
     }
-    y.rows_mut(known.len(), left.len()).copy_from(&left);
+    y.rows_mut(known.len(), prior_residual.len())
+        .copy_from(&prior_residual);
     (all, y)
 }
 
@@ -154,7 +155,7 @@ impl<'a> Design<'a> {
             all
         };
         let n = folds.samples().max(1);
-        // Of rows that are independent a whitened one is one in units of its axis's noise.
+        // Of independent rows a whitened one is one in units of its axis's noise.
         let unit = |row: usize| {
             if noise.is_white() {
                 noise.sigma_mm[rows.axes[row / n]]
@@ -226,7 +227,7 @@ impl<'a> Design<'a> {
         self.products = Some(known);
     }
 
-    /// The same without a share, which what is chosen there has not seen.
+    /// The same without a share, which is held out of the choice.
     pub(super) fn without(&self, share: usize) -> Self {
         let mut now = self.clone();
         now.apart = Some(share);
@@ -307,7 +308,7 @@ impl<'a> Design<'a> {
         self.total.with_base(&solved.coefficients())
     }
 
-    /// The joint and the order that what is left shows beyond all noise, if any.
+    /// The joint and the order that exceeds all noise in the residuals, if any.
     pub(super) fn next_order(&self, strengths: &[f64]) -> Option<(usize, f64)> {
         if self.orders >= MOST_ORDERS || !self.noise.is_white() {
             return None;
@@ -315,12 +316,12 @@ impl<'a> Design<'a> {
         let solved = self.solved(strengths)?;
         let white = &self.whitened.white;
         let (m, last) = (self.rows.len(), white.ncols() - 1);
-        let left = white.column(last) - white.columns(0, last) * solved;
-        let mut left = left.rows(0, m).into_owned();
+        let residuals = white.column(last) - white.columns(0, last) * solved;
+        let mut residuals = residuals.rows(0, m).into_owned();
         for row in self.rows_apart() {
-            left[row] = 0.0;
+            residuals[row] = 0.0;
         }
-        let variance = left.norm_squared() / (self.rows.count().max(1) as f64);
+        let variance = residuals.norm_squared() / (self.rows.count().max(1) as f64);
         let joints = self.model.robot.joints.len();
         let motions: Vec<usize> = (0..joints).map(|j| j * DIRECTIONS).collect();
         let units = self.directions.select_columns(&motions);
@@ -328,7 +329,7 @@ impl<'a> Design<'a> {
             robot: &self.model.robot,
             q: &self.rows.inputs.q,
             units: &self.noise.whitened(&self.rows, &units),
-            left: &left,
+            values: &residuals,
             variance,
         };
         orders::strongest(&residual)
@@ -352,7 +353,7 @@ impl<'a> Design<'a> {
         HeldOut::new(&self.whitened, &seen, folds, samples, self.threads)
     }
 
-    /// What the families bring on cells that the fit has not seen; the strengths are set again without them.
+    /// The gain of the families in cross-validation over cells; the strengths are determined again without them.
     pub(super) fn gains(&self, unseen: &HeldOut, strengths: &[f64]) -> Option<Gains> {
         let family = self.family_of();
         let squares = unseen.squares(|remaining| {
@@ -362,14 +363,14 @@ impl<'a> Design<'a> {
         Some(self.gains_of(&squares))
     }
 
-    /// Squares of the samples that are apart beside families of these strengths, mm²; zero of the others.
+    /// Squares of the samples that are held out apart with families of these strengths, mm²; zero of the others.
     pub(super) fn squares_apart(&self, strengths: &[f64]) -> Option<Vec<f64>> {
         let coefficients = self.solved(strengths)?;
         let (rows, samples) = (self.rows_apart(), self.folds.samples());
         Some(self.whitened.squares(&rows, &coefficients, samples))
     }
 
-    /// What squares of every sample without and with families say of these.
+    /// The gains from the squares of every sample without and with families.
     pub(super) fn gains_of(&self, squares: &[[f64; 2]]) -> Gains {
         Gains::of(&self.rows, squares)
     }

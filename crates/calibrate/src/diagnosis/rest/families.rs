@@ -1,4 +1,4 @@
-//! What may predict without a name: families of columns, each with a strength of its own.
+//! Families of columns that may predict without a name, each with its own strength.
 //!
 //! Along the motion of a joint: gravity, what the conditions of measuring turn it by, harmonics of its
 //! own value and of those of its neighbours, a smooth curve over its range; across the joint's axis and
@@ -26,7 +26,7 @@ const ACROSS: usize = 3;
 /// Cosines of a smooth curve; a curve of so many bends.
 const BENDS: usize = 8;
 
-/// What a family is.
+/// The kinds of families.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum FamilyKind {
     Gravity,
@@ -75,9 +75,9 @@ impl PoseFunction {
 /// A column: its function about its mean over the measured poses, and what one standard deviation of its coefficient
 /// is at strength 1.
 ///
-/// A constant is the geometry's to say (a zero offset, a frame). Over a narrow range a harmonic is hardly more than
-/// one: if both had it, they would grow against each other, and the geometry would be off by all of it where the
-/// correction has faded.
+/// A constant belongs to the geometry (a zero offset, a frame). Over a narrow range a harmonic is hardly more than
+/// one: if both had it, they would run away in opposite directions, and the geometry would be off by all of it where
+/// the correction has faded.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Column {
     pub(super) family: usize,
@@ -201,7 +201,7 @@ impl Families {
         }
     }
 
-    /// What the samples show of each column from number `first` on at one standard deviation:
+    /// The root mean square of each column from number `first` on over the samples at one standard deviation:
     /// `directions` are the rows of a unit in each direction of each joint.
     pub(super) fn shown(
         &mut self,
@@ -338,7 +338,7 @@ mod tests {
     use crate::effects::JointValues;
     use crate::fit::example::unrepeated;
 
-    /// Whatever the coefficients are, a correction is nothing on average of the poses that it comes from.
+    /// Whatever the coefficients are, the mean correction over the poses that it comes from is zero.
     #[test]
     fn a_correction_takes_no_constant_from_the_geometry() {
         let session = unrepeated(0.0, 1);

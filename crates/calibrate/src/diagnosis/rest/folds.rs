@@ -1,5 +1,5 @@
-//! How samples are held out of a curve: values of the joint, which a controller interpolates between, and runs,
-//! which show what comes back.
+//! Folds for the cross-validation of a curve: values of the joint, which a controller interpolates between, and runs,
+//! which test repetition.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use super::columns::Columns;
 use crate::text::Text;
 use crate::{budget, rounding};
 
-/// Which part each sample is in; `None`: no fit goes without it.
+/// The fold of each sample; `None`: it is in every fit.
 pub(super) struct Folds {
     of: Vec<Option<usize>>,
     pub(super) count: usize,
@@ -33,7 +33,7 @@ impl Folds {
                 joint = joint + 1
             ),
         }
-        .that_say_something()
+        .if_enough()
     }
 
     /// Runs: how often the joint had been at the value from the same side before; of a single run there and back its
@@ -71,11 +71,11 @@ impl Folds {
             count,
             how: text!("runs, each held out in turn and predicted by a fit without it"),
         }
-        .that_say_something()
+        .if_enough()
     }
 
     /// Folds of which at least two hold samples out, and half of the samples are held out once.
-    fn that_say_something(self) -> Option<Self> {
+    fn if_enough(self) -> Option<Self> {
         let out = self.of.iter().flatten().count();
         (self.count > 1 && 2 * out >= self.of.len() && out > 0).then_some(self)
     }

@@ -1,16 +1,16 @@
-//! Groups of columns without a name beside a base: how likely the samples are with them, their coefficients, and how
-//! strong each is, by restricted likelihood.
+//! The evidence of groups of columns without a name in addition to a base, their coefficients, and the variance of
+//! each group, by restricted likelihood.
 //!
 //! ```text
 //! y = J β + B c + e,   e ~ N(0, σ²),   c_k ~ N(0, σ² v_f)
 //! ln E = −½ ln|I + V^½ S V^½| − (ν/2) ln(yᵀP y − gᵀc),   S = BᵀP B,   g = BᵀP y,   P = 1 − J J⁺,   ν = rows − rank J
 //! ```
 //!
-//! A group may be columns that are there (a family of an arm) or combinations of them (a curve of a kernel through its
+//! A group may be columns themselves (a family of an arm) or combinations of them (a curve of a kernel through its
 //! knots, [`Remaining::through`]). The strengths v are fixed points of `v_f = |c_f|²/(σ² γ_f)`, `γ_f` the number of a
-//! group's columns that the samples determine (`MacKay` 1992; Harville 1977). A group whose strength falls to nothing
-//! is left out, and one without which the samples are nearly as likely as well. (Restricted likelihood: Wahba 1985,
-//! Wood 2011.)
+//! group's columns that the samples determine (`MacKay` 1992; Harville 1977). A group whose strength falls to zero is
+//! dropped, and so is one without which the samples are nearly as likely. (Restricted likelihood: Wahba 1985, Wood
+//! 2011.)
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
@@ -19,10 +19,10 @@ use crate::fit::noise::PRICE_OF_A_VARIANCE;
 use crate::linear::{cross, gram, inverse_of_lower};
 use crate::{budget, rounding};
 
-/// A group that determines less than this many columns is nothing.
+/// A group that determines less than this many columns counts as zero.
 const NOTHING: f64 = 0.05;
 
-/// What is left once the base has taken its part.
+/// The normal equations projected orthogonal to the base.
 #[derive(Debug, Clone)]
 pub(super) struct Remaining {
     s: DMatrix<f64>,
@@ -33,15 +33,15 @@ pub(super) struct Remaining {
     pub(super) common: DMatrix<f64>,
 }
 
-/// What groups are under given strengths.
+/// The solution for groups of given strengths.
 pub(super) struct Solved {
     /// `I + V^½ S V^½ = R Rᵀ`.
     factor: Cholesky<f64, Dyn>,
     /// Coefficients in units of their standard deviations, and these.
     unit: DVector<f64>,
     root: Vec<f64>,
-    /// Sum of squares that is left.
-    left: f64,
+    /// Residual sum of squares.
+    rss: f64,
     freedom: f64,
 }
 
@@ -52,11 +52,11 @@ impl Solved {
 
     /// `σ R⁻¹`, whose products are the covariance of the coefficients in units of their standard deviations.
     pub(super) fn deviations(&self) -> DMatrix<f64> {
-        inverse_of_lower(self.factor.l_dirty()) * (self.left / self.freedom).sqrt()
+        inverse_of_lower(self.factor.l_dirty()) * (self.rss / self.freedom).sqrt()
     }
 
     pub(super) fn ln_evidence(&self) -> f64 {
-        -0.5 * ln_determinant(&self.factor) - 0.5 * self.freedom * self.left.ln()
+        -0.5 * ln_determinant(&self.factor) - 0.5 * self.freedom * self.rss.ln()
     }
 
     /// Evidence without some of the columns, which lie side by side: the others' block of the inverse is that
@@ -70,13 +70,13 @@ impl Solved {
         let own = inverse.columns(first, count).into_owned();
         let factor = gram(&own).cholesky()?;
         let unit = self.unit.rows(first, count);
-        let left = self.left + unit.dot(&factor.solve(&unit));
+        let rss = self.rss + unit.dot(&factor.solve(&unit));
         let ln_determinant = ln_determinant(&self.factor) + ln_determinant(&factor);
-        Some(-0.5 * ln_determinant - 0.5 * self.freedom * left.ln())
+        Some(-0.5 * ln_determinant - 0.5 * self.freedom * rss.ln())
     }
 
-    /// The strength of the group whose columns these are that fits its coefficients; nothing where the samples
-    /// determine none of them.
+    /// The strength of the group with these columns that fits its coefficients; zero where the samples determine none
+    /// of them.
     fn next_strength(&self, inverse: &DMatrix<f64>, first: usize, count: usize) -> f64 {
         let columns = first..first + count;
         let known = |k: usize| 1.0 - inverse.column(k).norm_squared();
@@ -86,7 +86,7 @@ impl Solved {
         }
         let square = |k: usize| (self.root[k] * self.unit[k]).powi(2);
         let squares: f64 = columns.map(square).sum();
-        squares / (self.left / self.freedom * determined)
+        squares / (self.rss / self.freedom * determined)
     }
 }
 
@@ -144,13 +144,13 @@ impl Remaining {
         }
     }
 
-    /// Once columns with these coefficients have taken theirs.
+    /// The same after columns with these coefficients were fitted.
     pub(super) fn without(&self, coefficients: &DVector<f64>) -> Self {
         let taken = &self.s * coefficients;
-        let left = self.yy - 2.0 * coefficients.dot(&self.g) + coefficients.dot(&taken);
+        let rss = self.yy - 2.0 * coefficients.dot(&self.g) + coefficients.dot(&taken);
         Self {
             g: &self.g - taken,
-            yy: left.max(f64::MIN_POSITIVE),
+            yy: rss.max(f64::MIN_POSITIVE),
             ..self.clone()
         }
     }
@@ -165,12 +165,12 @@ impl Remaining {
         let scaled = DVector::from_fn(n, |k, _| root[k] * self.g[k]);
         let factor = m.cholesky()?;
         let unit = factor.solve(&scaled);
-        let left = self.yy - scaled.dot(&unit);
-        (left > 0.0).then_some(Solved {
+        let rss = self.yy - scaled.dot(&unit);
+        (rss > 0.0).then_some(Solved {
             factor,
             unit,
             root,
-            left,
+            rss,
             freedom: self.freedom,
         })
     }
@@ -230,8 +230,8 @@ impl Remaining {
         Some(strengths)
     }
 
-    /// The strengths of the groups that are worth it; the others have none. Also how much likelier
-    /// the samples are with them, as a logarithm.
+    /// The strengths of the groups whose gain exceeds their penalty; the others have none. Also how much likelier the
+    /// samples are with them, as a logarithm.
     pub(super) fn strengths(&self, group: &[usize], count: usize) -> Option<(Vec<f64>, f64)> {
         let first = self.first(group, count);
         let needed = PRICE_OF_A_VARIANCE + (count.max(1) as f64).ln();

@@ -1,4 +1,4 @@
-//! What a base and columns without a name predict of samples that they have not seen.
+//! Held-out residuals of a base and of columns without a name.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -16,7 +16,7 @@ pub(super) struct Whitened {
     pub(super) base: usize,
     /// Of each row that was measured its sample, and one unit of it in mm.
     pub(super) measured: Vec<(usize, f64)>,
-    /// What rounding leaves in a row, squared.
+    /// The square of the rounding in a row.
     pub(super) floor: f64,
 }
 
@@ -31,7 +31,7 @@ impl Whitened {
         all.filter(|row| pick(self.measured[*row].0)).collect()
     }
 
-    /// What coefficients leave of rows, mm², added up for each sample.
+    /// The squares of the residuals of rows, mm², added up for each sample.
     pub(super) fn squares(
         &self,
         rows: &[usize],
@@ -39,13 +39,13 @@ impl Whitened {
         samples: usize,
     ) -> Vec<f64> {
         let all = self.raw.as_ref().unwrap_or(&self.white);
-        let mut left = all.column(all.ncols() - 1).into_owned();
+        let mut residuals = all.column(all.ncols() - 1).into_owned();
         let own = all.columns(0, coefficients.len());
-        left.gemv(-1.0, &own, coefficients, 1.0);
+        residuals.gemv(-1.0, &own, coefficients, 1.0);
         let mut squares = vec![0.0; samples];
         for row in rows {
             let (sample, mm) = self.measured[*row];
-            squares[sample] += (mm * left[*row]).powi(2);
+            squares[sample] += (mm * residuals[*row]).powi(2);
         }
         squares
     }
@@ -65,7 +65,7 @@ struct Fold {
     /// Products of the others.
     seen: Products,
     remaining: Remaining,
-    /// What the base alone leaves.
+    /// The squares of the residuals of the base alone.
     alone: Vec<f64>,
 }
 
@@ -96,8 +96,8 @@ impl<'w> HeldOut<'w> {
         })
     }
 
-    /// Squares of each sample without and with the columns without a name, whose coefficients are those that the samples
-    /// that are seen give.
+    /// Squares of each sample without and with the columns without a name, whose coefficients are fitted to the
+    /// samples that are not held out.
     pub(super) fn squares(
         &self,
         coefficients: impl Fn(&Remaining) -> Option<DVector<f64>> + Sync,

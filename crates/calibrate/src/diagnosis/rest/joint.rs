@@ -1,14 +1,14 @@
-//! What repeats over a joint and has no name: a smooth curve over the joint's commanded value, common to both
-//! sides and half of the reversal, in directions that turn with the joint: along its motion, which a table can
-//! correct, along its radius and along its axis.
+//! The repeating part of the error of one joint that has no name: a smooth curve over the joint's commanded value,
+//! common to both sides and half of the reversal, in directions that turn with the joint: along its motion, which a
+//! table can correct, along its radius and along its axis.
 //!
 //! ```text
 //! deviation = base and names + r(q, dir) + slow(t) + noise
 //! ```
 //!
-//! r is a Gaussian process of which kernels, sizes and parts are chosen by one restricted likelihood ([`kernels`](super::kernels)).
-//! The names keep the values that are handed out; the base is fitted anew beside r, and what it moves by is a
-//! constant of the curve. What comes back in another run is of the axis, and time has what is left.
+//! r is a Gaussian process of which kernels, sizes and parts are chosen by one restricted likelihood
+//! ([`kernels`](super::kernels)). The names keep the values that are handed out; the base is fitted again with r, and
+//! its change is a constant of the curve. What comes back in another run belongs to the axis, the residual to time.
 //!
 //! It is handed out where unseen runs, or in a single run unseen values, are predicted better with it ([`folds`](super::folds)).
 
@@ -21,7 +21,7 @@ use crate::effects::curve::{Curve, DIRECTIONS, Knots, Parts};
 use crate::fit::gap::{deviations, suspects};
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
-use crate::fit::{base_model, noise_beside};
+use crate::fit::{base_model, noise_given};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::text::Text;
@@ -50,27 +50,27 @@ pub(crate) const MOST_IN_A_PERIOD: usize = 24;
 /// With fewer different values of the joint there is nothing between which a curve could be drawn (ISO 230-2 asks
 /// for five targets).
 const FEWEST_VALUES: usize = 5;
-/// What repeats over a joint beside a model.
+/// The repeating curve over a joint in addition to a model.
 pub(crate) struct Repeating<'a> {
     /// The curve.
     pub(crate) term: Term,
-    /// RMS deviations of samples that no fit has seen: of the base alone, of the model, and with the curve, mm.
+    /// Cross-validated RMS errors: of the base alone, of the model, and with the curve, mm.
     pub(crate) held_out_mm: [f64; 3],
-    /// How many those are.
+    /// The number of folds of these.
     pub(crate) samples: usize,
-    /// How they were held out.
+    /// The way in which they were held out.
     pub(crate) how: Text,
-    /// The samples, with the outliers that there are beside it.
+    /// The samples, with the outliers of the fit with the curve.
     pub(crate) problem: Problem<'a>,
-    /// RMS deviation of unseen runs with the curve, mm; `None` of a single run.
+    /// RMS error of unseen runs with the curve, mm; `None` of a single run.
     pub(crate) runs_held_out_mm: Option<f64>,
     /// The same of unseen values, where their neighbours do not predict them.
     pub(crate) values_held_out_mm: Option<f64>,
-    /// The noise beside it, where values come back from the same side: then time has what the curve leaves.
+    /// The noise with the curve, where values come back from the same side: then the residual belongs to time.
     pub(crate) noise: Option<Noise>,
 }
 
-/// What repeats over a joint beside a model, or `None` where there is nothing, or it predicts nothing.
+/// The repeating curve over a joint in addition to a model, or `None` where there is none, or it does not predict.
 /// `problem` holds the samples that count.
 pub(crate) fn repeating<'a>(
     problem: &Problem<'a>,
@@ -87,23 +87,23 @@ pub(crate) fn repeating<'a>(
     let by_values = Folds::values(&fitted.columns, joint).and_then(held_out);
     let by_runs = Folds::runs(&fitted.columns).and_then(held_out);
     let gains = |own: &&([f64; 2], Folds)| own.0[1] < own.0[0];
-    // Between targets that are too far apart no curve predicts, and at them the axis comes back all the same.
-    let said = by_values.as_ref().filter(gains);
-    let said = said.or(by_runs.as_ref().filter(gains));
+    // Between targets that are too far apart no curve predicts, and yet at them the axis may repeat.
+    let predicting = by_values.as_ref().filter(gains);
+    let predicting = predicting.or(by_runs.as_ref().filter(gains));
     let seen = |own: &Option<([f64; 2], Folds)>| own.is_some();
     let denied = by_runs.as_ref().is_some_and(|own| !gains(&own));
     let doubted =
         fitted.ln_odds() < odds::BEYOND_DOUBT.nats() || !(seen(&by_values) || seen(&by_runs));
-    if denied || said.is_none() && doubted {
+    if denied || predicting.is_none() && doubted {
         return None;
     }
-    let ([before, after], folds) = said.or(by_values.as_ref())?;
+    let ([before, after], folds) = predicting.or(by_values.as_ref())?;
     let curve = fitted.curve()?;
     let identified = Columns::new(&problem, base, joint, is_base);
     let term = Term::unexplained(joint, curve);
     let comes_back = Folds::come_back(&fitted.columns);
     Some(Repeating {
-        noise: comes_back.then(|| noise_beside(&problem, &model.with_term(term.clone()), &[])),
+        noise: comes_back.then(|| noise_given(&problem, &model.with_term(term.clone()), &[])),
         term,
         held_out_mm: [alone(&identified, folds)?, *before, *after],
         samples: folds.samples(),
@@ -117,7 +117,7 @@ pub(crate) fn repeating<'a>(
     })
 }
 
-/// The curve beside the noise and the outliers that are there with it.
+/// The curve with the noise and the outliers that follow from it.
 fn settled<'a>(
     problem: &Problem<'a>,
     model: &Model,
@@ -131,7 +131,7 @@ fn settled<'a>(
         OverJoint::fitted(Columns::new(&problem, model, joint, is_base), model, period)?;
     for _ in 0..budget::ROUNDS {
         let with = model.with_term(Term::unexplained(joint, fitted.curve()?));
-        // Beside the names alone the peak of a bump looks like an outlier, and an outlier beside a bump like none.
+        // With the names alone the peak of a bump looks like an outlier; with the bump an outlier may look like none.
         let suspected = suspects(&problem, &deviations(&problem, &with));
         let used = suspected
             .iter()
@@ -145,17 +145,17 @@ fn settled<'a>(
         let columns = Columns::new(&problem, model, joint, is_base);
         fitted = OverJoint::fitted(columns, model, period)?;
     }
-    // Time has what is left once the curve has taken what comes back.
-    let left = fitted.left();
+    // The residual of the repeating curve belongs to time.
+    let residuals = fitted.residuals();
     let mut columns = Columns::new(&problem, model, joint, is_base);
-    if columns.wander(&left) {
+    if columns.wander(&residuals) {
         fitted = OverJoint::fitted(columns, model, period).unwrap_or(fitted);
     }
     Some((problem, fitted))
 }
 
-/// What comes back at every visit of a value is of the axis, however far it is from what the names say: no outlier.
-/// Readings with nothing measured between them are one visit.
+/// What returns at every visit of a value belongs to the axis, however far it is from the model: it is no outlier.
+/// Readings with no measurement between them are one visit.
 fn use_what_returns(problem: &mut Problem, joint: usize) {
     let (fit, mut counted) = (problem.to_fit(), problem.counted().to_vec());
     let mut places: BTreeMap<i64, (usize, Vec<usize>)> = BTreeMap::new();
@@ -178,23 +178,23 @@ fn use_what_returns(problem: &mut Problem, joint: usize) {
     problem.set_counted(counted);
 }
 
-/// What belongs to every calibration, and is fitted beside the curve.
+/// Terms that belong to every calibration, and are fitted with the curve.
 fn is_base(term: &Term) -> bool {
     base_model::belongs(term.effect.about().id)
 }
 
-/// A free curve over a joint beside a model.
+/// A free curve over a joint in addition to a model.
 pub(crate) struct FreeCurve {
     /// Logarithm of how much likelier the samples are with it.
     pub(crate) ln_odds: f64,
-    /// Columns that it is worth.
+    /// Effective number of parameters.
     pub(crate) freedom: usize,
     /// In which direction it is largest: along the motion, the radius, the axis.
     pub(crate) direction: usize,
 }
 
-/// The likeliest free curve over a joint beside a model, common to both sides, beside a noise: its likelihood is compared
-/// with those of names.
+/// The likeliest free curve over a joint in addition to a model, common to both sides, given a noise: its likelihood
+/// is compared with those of names.
 pub(crate) fn free_curve(
     problem: &Problem,
     noise: &Noise,
@@ -221,7 +221,7 @@ pub(crate) fn free_curve(
     })
 }
 
-/// The likeliest curve over a joint on some samples, with what it was fitted to.
+/// The likeliest curve over a joint on some samples, with its regression.
 struct OverJoint<'a> {
     columns: Columns<'a>,
     knots: Knots,
@@ -268,7 +268,7 @@ impl Part {
 
 impl<'a> OverJoint<'a> {
     /// `None` where no curve makes the samples likelier, or there are too few values.
-    /// `period`: after so much, rad or mm, what is left repeats, as the search found.
+    /// `period`: the period of the residual, rad or mm, as the search found it.
     fn fitted(columns: Columns<'a>, model: &Model, period: Option<f64>) -> Option<Self> {
         if columns.values.len() < FEWEST_VALUES {
             return None;
@@ -299,7 +299,7 @@ impl<'a> OverJoint<'a> {
         self.parts.iter().map(Part::ln_odds).sum()
     }
 
-    /// The curve, with what the base moves by beside it as constants.
+    /// The curve, with the change of the base as constants.
     fn curve(&self) -> Option<Curve> {
         let (mut values, mut sigma) = (Parts::default(), Parts::default());
         let n = self.knots.count;
@@ -332,8 +332,8 @@ impl<'a> OverJoint<'a> {
         Curve::new(self.knots, values, sigma).ok()
     }
 
-    /// What is left of the samples beside the curve, block by block, mm.
-    fn left(&self) -> Vec<DVector<f64>> {
+    /// The residuals of the fit with the curve, block by block, mm.
+    fn residuals(&self) -> Vec<DVector<f64>> {
         let both = self.columns.blocks.iter().zip(&self.parts);
         both.map(|(block, part)| match part.fitted(&self.kernels) {
             Some(fitted) => &block.residual - &part.curve * fitted.values(),
@@ -373,7 +373,7 @@ fn held_out<'w>(whitened: &'w Whitened, folds: &Folds) -> Option<HeldOut<'w>> {
     HeldOut::new(whitened, &seen, folds.count, folds.all(), Threads::ONE)
 }
 
-/// Root mean square deviation of unseen samples from what is fitted beside a curve, without one, mm.
+/// RMS error of unseen samples of the base without a curve, mm.
 fn alone(columns: &Columns, folds: &Folds) -> Option<f64> {
     let mut sum = 0.0;
     for block in &columns.blocks {

@@ -1,14 +1,14 @@
-//! How smooth a curve is, and how far it goes: chosen by its marginal likelihood ([`groups`](super::groups)).
+//! The kernel of a smooth curve and its size, chosen by marginal likelihood ([`groups`](super::groups)).
 //!
 //! ```text
 //! c = L z,   z ~ N(0, σ² t²),   L Lᵀ = K,   K_ij = k(|u_i − u_j|/ℓ),   Jᵀ B c = 0
 //! ```
 //!
 //! c: the values of a part of the curve at its knots u, t its size in units of the noise, B its columns and J those of
-//! the base. k is of the Matérn family: of order ½ it may jump, of order 3/2 and 5/2 it is smooth; beside it stands the
-//! infinitely smooth one, a Gaussian. Of what is periodic the distance of two knots is a chord (Rasmussen & Williams 2006, 4.2). The
-//! condition makes the curve orthogonal to the base, so that it takes nothing from it: L without the combinations that
-//! would, `L (1 − Q Qᵀ)` with Q a basis of `Lᵀ Bᵀ J`.
+//! the base. k is of the Matérn family: of order ½ it may jump, of order 3/2 and 5/2 it is smooth; in addition there
+//! is the squared exponential, infinitely smooth. Of what is periodic the distance of two knots is a chord (Rasmussen
+//! & Williams 2006, 4.2). The condition makes the curve orthogonal to the base: L without the combinations that are
+//! not, `L (1 − Q Qᵀ)` with Q a basis of `Lᵀ Bᵀ J`.
 
 use std::f64::consts::PI;
 
@@ -20,7 +20,7 @@ use crate::{odds, rounding};
 
 /// Lengths of the prior that are tried, in shares of the range (of the period).
 const LENGTHS: [f64; 6] = [1.0, 0.5, 0.25, 0.12, 0.06, 0.03];
-/// How smooth a curve is: its correlation at a distance in lengths.
+/// The smoothness of a curve: its correlation at a distance in lengths.
 const SMOOTHNESS: [fn(f64) -> f64; 4] = [
     |r| (-r).exp(),
     |r| (1.0 + r) * (-r).exp(),
@@ -32,8 +32,8 @@ fn sizes() -> impl Iterator<Item = f64> {
     (0..8).map(|k| 0.2 * 4.0_f64.powi(k))
 }
 
-/// The prior of each part: its kernel, by its number among those that are tried, and its size in units of the
-/// noise; `None`: the part is nothing.
+/// The prior of each part: its kernel, by its number among those that are tried, and its size in units of the noise;
+/// `None`: the part is zero.
 pub(super) type Prior = Vec<Option<(usize, f64)>>;
 
 /// Kernels of a range (of a period): L of every length and smoothness, lengths in descending order for each.
@@ -61,7 +61,7 @@ impl Kernels {
         self.0[0].nrows()
     }
 
-    /// About how many straight pieces say as much: three over the shortest length.
+    /// About how many straight pieces are equivalent: three over the shortest length.
     pub(super) fn pieces(prior: &Prior) -> f64 {
         let all = prior.iter().flatten();
         all.map(|(kernel, _)| 3.0 / LENGTHS[kernel % LENGTHS.len()])
@@ -69,7 +69,7 @@ impl Kernels {
     }
 
     /// The next lengths, and the other smoothnesses of the same length.
-    fn beside(kernel: usize) -> impl Iterator<Item = usize> {
+    fn neighbours(kernel: usize) -> impl Iterator<Item = usize> {
         let lengths = LENGTHS.len();
         let (order, length) = (kernel / lengths, kernel % lengths);
         let next = [length.wrapping_sub(1), length + 1].into_iter();
@@ -122,20 +122,20 @@ impl Kernels {
         fitted.map_or(f64::NEG_INFINITY, |fitted| fitted.solved.ln_evidence())
     }
 
-    /// The likeliest prior, and how much likelier the samples are with it, as a logarithm: parts one after the other,
-    /// while each is worth it; `None` where no part is.
+    /// The likeliest prior, and how much likelier the samples are with it, as a logarithm: parts are added one after
+    /// the other, while the gain of each exceeds its penalty; `None` where no part does.
     pub(super) fn likeliest(&self, remaining: &Remaining) -> Option<(Prior, f64)> {
         let parts = remaining.columns() / self.knots();
         let mut best: (Prior, f64) = (vec![None; parts], remaining.alone());
-        let mut left = remaining.clone();
-        while let Some((part, own)) = self.one_more(&left, &best.0) {
+        let mut unexplained = remaining.clone();
+        while let Some((part, own)) = self.one_more(&unexplained, &best.0) {
             let mut with = best.0.clone();
             with[part] = Some(own);
             let (with, ln_evidence) = self.refined(remaining, with);
             if ln_evidence <= best.1 + odds::OPEN.nats() {
                 break;
             }
-            left = remaining.without(&self.fit(remaining, &with)?.values());
+            unexplained = remaining.without(&self.fit(remaining, &with)?.values());
             best = (with, ln_evidence);
         }
         let likelier = best.1 - remaining.alone();
@@ -145,16 +145,16 @@ impl Kernels {
             .then_some((best.0, likelier))
     }
 
-    /// The part that alone says most of what the others leave, with its kernel and size.
-    fn one_more(&self, left: &Remaining, before: &Prior) -> Option<(usize, (usize, f64))> {
+    /// The part that alone gains most on the residual of the others, with its kernel and size.
+    fn one_more(&self, unexplained: &Remaining, before: &Prior) -> Option<(usize, (usize, f64))> {
         let free = (0..before.len()).filter(|part| before[*part].is_none());
         let all = free.flat_map(|part| (0..self.0.len()).map(move |kernel| (part, kernel)));
         let mut best = None;
-        let mut most = left.alone();
+        let mut most = unexplained.alone();
         for (part, kernel) in all {
             let mut prior: Prior = vec![None; before.len()];
             prior[part] = Some((kernel, 1.0));
-            let own = left.only(&self.columns_of(&prior));
+            let own = unexplained.only(&self.columns_of(&prior));
             let alone = own.through(&self.combinations(&own, &prior));
             let none = vec![0; alone.columns()];
             for size in sizes() {
@@ -180,7 +180,7 @@ impl Kernels {
                     continue;
                 };
                 let sizes = [step, 1.0 / step].map(|factor| (kernel, size * factor));
-                let others = Self::beside(kernel).map(|other| (other, size));
+                let others = Self::neighbours(kernel).map(|other| (other, size));
                 for own in sizes.into_iter().chain(others) {
                     let mut trial = best.0.clone();
                     trial[part] = Some(own);

@@ -1,9 +1,9 @@
-//! What has no name: the smooth rest of a model, over one joint or of an arm.
+//! The rest: the smooth discrepancy of a model that has no name, over one joint or of an arm.
 //!
-//! A base and names, and beside them groups of columns whose sizes a restricted likelihood chooses, and which are handed
-//! out where they predict what they have not seen.
+//! In addition to a base and names there are groups of columns whose sizes are chosen by restricted likelihood. They
+//! are handed out where they predict unseen samples.
 //!
-//! - `groups`, `products`: how likely groups of columns are, and how strong; `held_out`: what they predict.
+//! - `groups`, `products`: evidence and variances of groups of columns; `held_out`: their cross-validation.
 //! - `kernels`, `columns`, `folds`, `joint`: a curve over one joint.
 //! - `families`, `orders`, `design`, `arm`: everything that may repeat on an arm.
 

@@ -1,5 +1,5 @@
-//! Orders of gears in what is left: a periodogram over each joint along its motion. Strain-wave gears
-//! have orders of hundreds of cycles per turn.
+//! Orders of gears in the residuals: a periodogram over each joint along its motion. Strain-wave gears have orders of
+//! hundreds of cycles per turn.
 
 use std::borrow::Cow;
 
@@ -10,24 +10,24 @@ use crate::lanes::TOGETHER;
 use crate::wide::{Loop, wide};
 use crate::{fewest, odds, rounding};
 
-/// Orders that are looked at, cycles per turn.
+/// Orders that are searched, cycles per turn.
 const FROM: f64 = 7.0;
 const TO: f64 = 420.0;
 /// Steps within the resolution of the range.
 const STEPS: f64 = 4.0;
 
-/// What is left, whitened, and what a turn of each joint does to it.
+/// The residuals, whitened, and the derivative of the rows with respect to each joint.
 pub(super) struct Residual<'r> {
     pub(super) robot: &'r Robot,
     pub(super) q: &'r [Cow<'static, [f64]>],
     /// A column for each joint.
     pub(super) units: &'r DMatrix<f64>,
-    pub(super) left: &'r DVector<f64>,
+    pub(super) values: &'r DVector<f64>,
     /// Of a row.
     pub(super) variance: f64,
 }
 
-/// The joint and the order that explain most, where that is beyond noise.
+/// The joint and the order that explain most, where that exceeds noise.
 pub(super) fn strongest(residual: &Residual) -> Option<(usize, f64)> {
     let mut best: Option<(usize, f64, f64)> = None;
     let mut tried = 0.0;
@@ -78,22 +78,22 @@ fn different(q: &[f64]) -> usize {
     sorted.len()
 }
 
-/// Of each sample: a turn's product with what is left, and with itself.
+/// Of each sample: the product of a joint's column with the residuals, and with itself.
 struct Sums {
-    with_left: Vec<f64>,
+    with_residual: Vec<f64>,
     with_itself: Vec<f64>,
 }
 
 impl Sums {
     fn of(residual: &Residual, joint: usize) -> Self {
         let n = residual.q[joint].len();
-        let (mut with_left, mut with_itself) = (vec![0.0; n], vec![0.0; n]);
+        let (mut with_residual, mut with_itself) = (vec![0.0; n], vec![0.0; n]);
         for (row, unit) in residual.units.column(joint).iter().enumerate() {
-            with_left[row % n] += unit * residual.left[row];
+            with_residual[row % n] += unit * residual.values[row];
             with_itself[row % n] += unit * unit;
         }
         Self {
-            with_left,
+            with_residual,
             with_itself,
         }
     }
@@ -114,7 +114,7 @@ impl Sums {
     }
 }
 
-/// The products of a wave with what is left and with itself.
+/// The products of a wave with the residuals and with itself.
 struct Summing<'s> {
     sums: &'s Sums,
     sin: &'s [f64],
@@ -127,14 +127,14 @@ impl Loop for Summing<'_> {
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "see Loop")]
     fn run(self) -> [[f64; TOGETHER]; 5] {
-        let (left, own) = (&self.sums.with_left, &self.sums.with_itself);
-        let n = left.len().min(self.sin.len());
+        let (values, own) = (&self.sums.with_residual, &self.sums.with_itself);
+        let n = values.len().min(self.sin.len());
         let mut sums = [[0.0; TOGETHER]; 5];
         let mut at = 0;
         while at + TOGETHER <= n {
             let some = at..at + TOGETHER;
             let waves = [&self.sin[some.clone()], &self.cos[some.clone()]];
-            sums = with_waves(sums, [&left[some.clone()], &own[some]], waves);
+            sums = with_waves(sums, [&values[some.clone()], &own[some]], waves);
             at += TOGETHER;
         }
         if at < n {
@@ -142,7 +142,7 @@ impl Loop for Summing<'_> {
                 std::array::from_fn(|k| all.get(at + k).copied().unwrap_or(0.0))
             };
             let waves = [&pad(self.sin)[..], &pad(self.cos)];
-            sums = with_waves(sums, [&pad(left), &pad(own)], waves);
+            sums = with_waves(sums, [&pad(values), &pad(own)], waves);
         }
         sums
     }
@@ -152,12 +152,12 @@ impl Loop for Summing<'_> {
 #[allow(clippy::inline_always, reason = "see Loop")]
 fn with_waves(
     [a, b, aa, ab, bb]: [[f64; TOGETHER]; 5],
-    [left, own]: [&[f64]; 2],
+    [values, own]: [&[f64]; 2],
     [s, c]: [&[f64]; 2],
 ) -> [[f64; TOGETHER]; 5] {
     [
-        std::array::from_fn(|k| a[k] + left[k] * s[k]),
-        std::array::from_fn(|k| b[k] + left[k] * c[k]),
+        std::array::from_fn(|k| a[k] + values[k] * s[k]),
+        std::array::from_fn(|k| b[k] + values[k] * c[k]),
         std::array::from_fn(|k| aa[k] + own[k] * s[k] * s[k]),
         std::array::from_fn(|k| ab[k] + own[k] * s[k] * c[k]),
         std::array::from_fn(|k| bb[k] + own[k] * c[k] * c[k]),
@@ -225,7 +225,7 @@ mod tests {
             let wild = |k: usize| (0..n).map(move |i| ((i * 7 + k * 13) as f64 * 0.37).sin());
             let q: Vec<f64> = wild(0).collect();
             let sums = &Sums {
-                with_left: wild(1).collect(),
+                with_residual: wild(1).collect(),
                 with_itself: wild(2).map(f64::abs).collect(),
             };
             let mut waves = Waves::new(&q, 7.0, 0.3);
@@ -239,7 +239,7 @@ mod tests {
             let (sin, cos) = (&waves.sin[..], &waves.cos[..]);
             let all = wide(Summing { sums, sin, cos });
             assert_eq!(all, Summing { sums, sin, cos }.run());
-            let one: f64 = (0..n).map(|k| sums.with_left[k] * sin[k]).sum();
+            let one: f64 = (0..n).map(|k| sums.with_residual[k] * sin[k]).sum();
             assert!((all[0].iter().sum::<f64>() - one).abs() < 1e-12);
         }
     }

@@ -16,7 +16,7 @@ pub(super) struct Products {
 }
 
 impl Products {
-    /// Of these rows; `floor` is what rounding leaves in one of them, squared.
+    /// Of these rows; `floor` is the square of the rounding in one of them.
     pub(super) fn of(all: &DMatrix<f64>, base: usize, rows: &[usize], floor: f64) -> Self {
         let mut gram = gram(&all.select_rows(rows));
         let last = gram.nrows() - 1;
@@ -76,7 +76,7 @@ impl Products {
         Spectrum::new(&self.of_base()).rank()
     }
 
-    /// What the columns without a name have in common with those of the base, of which they are not orthogonal.
+    /// The projections of the columns without a name on those of the base, to which they are not orthogonal.
     pub(super) fn common(&self) -> DMatrix<f64> {
         let (n, p) = (self.base, self.gram.nrows() - self.base - 1);
         let size = |k: usize| self.gram[(k, k)].max(0.0).sqrt();
@@ -100,26 +100,27 @@ impl Products {
         own.cholesky()
     }
 
-    /// The products of the columns without a name, those with the residual, and its square, with the base taken out.
+    /// The products of the columns without a name, those with the residual, and its square, projected orthogonal to
+    /// the base.
     pub(super) fn without_base(&self) -> Option<(DMatrix<f64>, DVector<f64>, f64)> {
         let (n, p) = (self.base, self.gram.nrows() - self.base - 1);
         let cross = self.gram.view((0, n), (n, p + 1)).into_owned();
         let inner = self.gram.view((n, n), (p + 1, p + 1));
-        let left = if n == 0 {
+        let projected = if n == 0 {
             inner.into_owned()
         } else {
-            // L⁻¹ of the cross products, once: what the base takes is its square.
+            // L⁻¹ of the cross products, once: its square is the part in the span of the base.
             let taken = solve_lower(self.factor()?.l_dirty(), cross);
             inner - gram(&taken)
         };
         Some((
-            left.view((0, 0), (p, p)).into_owned(),
-            left.view((0, p), (p, 1)).column(0).into_owned(),
-            left[(p, p)],
+            projected.view((0, 0), (p, p)).into_owned(),
+            projected.view((0, p), (p, 1)).column(0).into_owned(),
+            projected[(p, p)],
         ))
     }
 
-    /// The step of the base beside given coefficients of the columns without a name, in front of these.
+    /// The step of the base given coefficients of the columns without a name, in front of these.
     pub(super) fn with_base(&self, coefficients: &DVector<f64>) -> Option<DVector<f64>> {
         let (n, p) = (self.base, coefficients.len());
         let last = self.gram.nrows() - 1;

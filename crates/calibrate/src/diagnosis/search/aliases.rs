@@ -4,7 +4,7 @@
 
 use super::prepare::MANY_NAMES;
 use crate::diagnosis::evidence::{
-    EFFECT_PRIOR_PENALTY, Fit, MOST_SETTINGS, Regression, Score, by_odds, units_beside,
+    EFFECT_PRIOR_PENALTY, Fit, MOST_SETTINGS, Regression, Score, by_odds, projected_units,
 };
 use crate::lanes::LANES;
 use crate::{budget, odds};
@@ -49,8 +49,8 @@ pub(crate) fn open_rivals(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     kept.into_iter().cloned().collect()
 }
 
-/// Ends of searches under another noise, as rivals: what each names in the place of what. Where one
-/// only names more, as where a wander may be a name as well, all its names stand for all of the fit's.
+/// Ends of searches under another noise, as rivals: what each names in the place of what. Where one only names more,
+/// as where a drift may be a name as well, all its names replace all of the fit's.
 pub(crate) fn under_another_noise(regression: &Regression, fit: &Fit, ends: &[Fit]) -> Vec<Rival> {
     let all = |of: &Fit| -> Vec<Term> { regression.added(of).into_iter().cloned().collect() };
     let only_in = |a: &Fit, b: &Fit| -> Vec<Term> {
@@ -75,7 +75,7 @@ pub(crate) fn under_another_noise(regression: &Regression, fit: &Fit, ends: &[Fi
 
 struct RivalTrial {
     removed: Vec<Term>,
-    rest: Rc<Fit>,
+    reduced: Rc<Fit>,
     instead: Vec<usize>,
     ln_evidence: f64,
 }
@@ -108,14 +108,14 @@ fn tried(regression: &Regression, fit: &Fit) -> Vec<Rival> {
         let instead: Vec<Term> = trial.instead.iter().filter_map(term).collect();
         let model = instead
             .iter()
-            .fold(trial.rest.model.clone(), |m, t| m.with_term(t.clone()));
+            .fold(trial.reduced.model.clone(), |m, t| m.with_term(t.clone()));
         Rival {
             removed: trial.removed,
             instead,
-            fit: regression.fit(&model, &trial.rest.shapes),
+            fit: regression.fit(&model, &trial.reduced.shapes),
         }
     });
-    // What its own values rule out does not count among those that are refitted.
+    // Candidates that their own values rule out do not count among those that are refitted.
     let possible = refitted.filter(|r| r.fit.ln_evidence.is_finite());
     let mut rivals: Vec<Rival> = possible.take(MOST_SETTINGS).collect();
     rivals.retain(|r| r.fit.ln_evidence > fit.ln_evidence - odds::TAKEN.nats());
@@ -127,16 +127,16 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     let model = fit
         .model
         .without(|t| removed.iter().any(|r| r.same_column(t)));
-    let rest = Rc::new(regression.fit(&model, &fit.shapes));
-    let enough = fit.ln_evidence - odds::TAKEN.nats() - rest.ln_evidence;
-    let there = regression.added(&rest);
-    // By the table beside the whole fit; what comes close is refitted.
+    let reduced = Rc::new(regression.fit(&model, &fit.shapes));
+    let enough = fit.ln_evidence - odds::TAKEN.nats() - reduced.ln_evidence;
+    let there = regression.added(&reduced);
+    // By the first-order table of the whole fit; what comes close is refitted.
     let mut scores = match regression.without_all(fit, removed) {
         Some(without) => {
-            let around = regression.surroundings(fit, CandidateSubset::Names);
+            let around = regression.projections(fit, CandidateSubset::Names);
             regression.scan_without(&around, &without)
         }
-        None => regression.scan(&rest, CandidateSubset::Names),
+        None => regression.scan(&reduced, CandidateSubset::Names),
     };
     let is_new = |s: &Score| {
         let term = regression.table.candidates[s.candidate].what.term();
@@ -146,9 +146,9 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     let mut push = |instead: Vec<usize>, ln_odds: f64| {
         trials.push(RivalTrial {
             removed: removed.to_vec(),
-            rest: Rc::clone(&rest),
+            reduced: Rc::clone(&reduced),
             instead,
-            ln_evidence: rest.ln_evidence + ln_odds,
+            ln_evidence: reduced.ln_evidence + ln_odds,
         });
     };
     by_odds(&mut scores);
@@ -162,14 +162,14 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
         term.is_some_and(|t| !removed.iter().any(|r| name(r) == name(t)))
     });
     let short = short_list(regression, others);
-    for (a, b, ln_odds) in best_pairs(regression, &rest, &short, enough) {
+    for (a, b, ln_odds) in best_pairs(regression, &reduced, &short, enough) {
         push(vec![a, b], ln_odds);
     }
 }
 
-/// A fit with two names more, for each pair that is worth this much as a logarithm; the likeliest by the
-/// scan first. Two that nearly cancel each other, such as a base that stands too high beside a link that
-/// droops, gain little one by one.
+/// A fit with two names more, for each pair whose gain is at least this, as a logarithm; the likeliest by the scan
+/// first. Two that nearly cancel each other, such as a base that is too high and a link that droops, gain little one
+/// by one.
 pub(crate) fn with_pairs<'f>(
     regression: &'f Regression,
     fit: &'f Fit,
@@ -233,33 +233,33 @@ struct Piece {
     first: usize,
     /// Its first row among those that may be the better one of a pair.
     row: Option<usize>,
-    /// What it takes of the residual.
+    /// Its products with the residual.
     h: DVector<f64>,
 }
 
 /// Pairs of candidates that together lower the sum of squares enough.
 fn best_pairs(
     regression: &Regression,
-    rest: &Fit,
+    reduced: &Fit,
     scores: &[&Score],
     enough: f64,
 ) -> Vec<(usize, usize, f64)> {
     let m = regression.m();
     let worth = |gain: f64, rank: usize, price: f64| {
-        let r2 = (gain / rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-12);
+        let r2 = (gain / reduced.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-12);
         -0.5 * m * (-r2).ln_1p() - 0.5 * rank as f64 * m.ln() - price
     };
-    // Correlated candidates can do more together than the sum of both, but seldom: a quick look
-    // saves the rest.
+    // Correlated candidates can gain more together than the sum of both, but seldom: a quick bound saves the
+    // computation.
     let hopeless = |bound: f64, price: f64| worth(4.0 * bound, 2, price) < enough;
-    // Nothing is made of candidates of which none may be the better one of a pair.
+    // Nothing is computed of candidates that can never be the better one of a pair.
     let best = scores.iter().map(|s| s.gain).fold(0.0, f64::max);
     if hopeless(2.0 * MORE * best, 2.0 * EFFECT_PRIOR_PENALTY) {
         return Vec::new();
     }
     let list: Vec<usize> = scores.iter().map(|s| s.candidate).collect();
-    // Each candidate made orthonormal by itself. The better one of a pair does half of it at least:
-    // products with those that may be the better one are all that is needed.
+    // Each candidate made orthonormal alone. The better one of a pair gains half of it at least: products with those
+    // that may be the better one are all that is needed.
     let mut pieces: Vec<Piece> = Vec::new();
     let mut all: Vec<f64> = Vec::new();
     let mut better: Vec<f64> = Vec::new();
@@ -268,13 +268,13 @@ fn best_pairs(
         let candidate = |index: &usize| &regression.table.candidates[*index];
         let own: Vec<&Candidate> = some.iter().map(candidate).collect();
         let sizes = own.iter().map(|c| c.size);
-        let units = units_beside(regression.white_columns(&own), sizes, &rest.basis);
+        let units = projected_units(regression.white_columns(&own), sizes, &reduced.basis);
         for (index, unit) in some.iter().zip(units) {
             let Some(unit) = unit else {
                 continue;
             };
             let k = unit.ncols();
-            let h = unit.tr_mul(&rest.residual);
+            let h = unit.tr_mul(&reduced.residual);
             let may_be_better = !hopeless(2.0 * h.norm_squared(), 2.0 * EFFECT_PRIOR_PENALTY);
             all.extend(unit.as_slice());
             if may_be_better {
@@ -330,8 +330,8 @@ fn best_pairs(
             if rank == 0 {
                 continue;
             }
-            let left = &b.h - cross.tr_mul(&a.h);
-            let mut h: Vec<f64> = left.iter().copied().collect();
+            let projected = &b.h - cross.tr_mul(&a.h);
+            let mut h: Vec<f64> = projected.iter().copied().collect();
             let gain = a.h.norm_squared() + small_gain(&g, k, &mut h);
             let ln_odds = worth(gain, ca.size + rank, price);
             if ln_odds > enough {

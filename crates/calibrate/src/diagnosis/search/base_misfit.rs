@@ -1,7 +1,7 @@
-//! Names in place of what the description of a robot with several joints lacks. Where several are
-//! needed and much is left all the same, it is the base model that does not fit; where they predict
-//! unseen places no better than the geometry alone, they only follow the samples; one of a size that no machine has,
-//! beside much that is left, stands for something else. None of them is said.
+//! Names in place of what the description of a robot with several joints lacks. None is reported where several are
+//! needed and the residual is large nevertheless (the base model does not fit), where they do not predict unseen
+//! places better than the geometry alone (they only follow the samples), or where one has a size that no machine has
+//! and the residual is large (it imitates something else).
 
 use crate::budget;
 use crate::fit::base_model;
@@ -17,14 +17,14 @@ use crate::diagnosis::evidence::is_beyond;
 use crate::diagnosis::evidence::rival::Rival;
 use crate::effects::Term;
 
-/// Names that are right leave less than this many times the floor.
+/// The residual of a correct set of names is less than this many times the floor.
 const MOST_OVER_THE_FLOOR: f64 = 1.5;
 
-/// A size so many times as large as one that is implausible is no size of its effect: where much is left beside it,
-/// it stands for something else.
+/// A size so many times as large as an implausible one is not that of its effect: where the residual is large, the
+/// name imitates something else.
 const IMPOSSIBLE: f64 = 3.0;
-/// One of a joint, so many times as large, stands for something else whatever is left beside it: a joint whose values
-/// are in another unit passes for an encoder that errs by half a turn.
+/// One of a joint, so many times as large, imitates something else whatever the residual: a joint whose values are in
+/// another unit passes for an encoder that errs by half a turn.
 const ABSURD: f64 = 20.0;
 
 /// Withdraws the names of a robot with several joints whose base model does not fit.
@@ -49,7 +49,7 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     let alone = regression.fit(&found.fit.model, &[]);
     let base = regression.fit(&regression.base, &[]);
     let unseen = |fit: &Fit| prepared.folds.rms(regression, fit);
-    if prepared.folds.say_something() && unseen(&alone) >= unseen(&base) {
+    if prepared.folds.are_enough() && unseen(&alone) >= unseen(&base) {
         let shapes = found.fit.shapes.clone();
         found.named_effects_only = alone;
         found.fit = regression.fit(&regression.base, &shapes);
@@ -58,21 +58,20 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     let model = &found.fit.model;
     let impossible = |term: &Term| is_beyond(&model.robot, term, IMPOSSIBLE);
     let several = names >= 2 || model.terms().iter().any(impossible);
-    // A search that ended early leaves what it had no time for: that says nothing of the base.
+    // A search that ended early leaves effects that it had no time for: that is no evidence against the base.
     if !several || regression.work.ended().is_some() {
         return;
     }
     let floor = floor(prepared, &found.fit);
-    let more = left_mm(prepared, &found.fit) > MOST_OVER_THE_FLOOR * floor.mm;
+    let more = residual_mm(prepared, &found.fit) > MOST_OVER_THE_FLOOR * floor.mm;
     if floor.from != FloorFrom::Estimated && more {
         found.named_effects_only = std::mem::replace(&mut found.fit, base);
         found.base_misfit = true;
     }
 }
 
-/// The likeliest set of names that can be said of a robot with several joints: others take the place of those
-/// in hand where they are likelier and stand when they are held against what is said of them. A rival that
-/// does not stand itself is no reason to doubt.
+/// The likeliest set of names that can be reported of a robot with several joints: others replace those of the fit
+/// where they are likelier and remain likelier after the final tests. A rival that fails these itself is ignored.
 fn likeliest(prepared: &PreparedSearch, mut fit: Fit) -> Fit {
     let regression = &prepared.regression;
     if !base_model::is_arm(prepared.problem.session) {
@@ -83,11 +82,11 @@ fn likeliest(prepared: &PreparedSearch, mut fit: Fit) -> Fit {
         if regression.work.is_spent() {
             return fit;
         }
-        let above = |r: &Rival| r.other_names() && final_set::is_above(&r.fit, &fit);
-        let stands = |r: &Rival| {
-            let said = final_set::self_supporting(prepared, r.fit.clone())?;
-            let fits = regression.added(&said).len() <= prepared.cap();
-            (fits && final_set::is_above(&said, &fit)).then_some(said)
+        let above = |r: &Rival| r.other_names() && final_set::is_likelier(&r.fit, &fit);
+        let still_likelier = |r: &Rival| {
+            let reported = final_set::reportable(prepared, r.fit.clone())?;
+            let fits = regression.added(&reported).len() <= prepared.cap();
+            (fits && final_set::is_likelier(&reported, &fit)).then_some(reported)
         };
         let rivals = aliases::rivals(regression, &fit).into_iter();
         let goes_on = |_: &Rival| !regression.work.is_spent();
@@ -95,15 +94,15 @@ fn likeliest(prepared: &PreparedSearch, mut fit: Fit) -> Fit {
             .filter(above)
             .take(budget::LISTED)
             .take_while(goes_on);
-        let Some(likelier) = rivals.find_map(|r| stands(&r)) else {
+        let Some(likelier) = rivals.find_map(|r| still_likelier(&r)) else {
             return fit;
         };
         fit = likelier;
     }
 }
 
-/// Root mean square length of what a fit leaves, mm.
-pub(crate) fn left_mm(prepared: &PreparedSearch, fit: &Fit) -> f64 {
+/// RMS residual of a fit, mm.
+pub(crate) fn residual_mm(prepared: &PreparedSearch, fit: &Fit) -> f64 {
     let regression = &prepared.regression;
     if let Some(noise_mm) = regression.rows.noise_mm(&regression.noise) {
         return regression.scale(fit) * noise_mm;

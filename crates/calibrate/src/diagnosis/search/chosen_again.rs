@@ -1,5 +1,5 @@
-//! A name of an arm that few poses show has to predict poses by which its joint and its setting were not chosen. There the
-//! geometry takes most of what the samples say, and what chance leaves of the rest looks like some joint's gear.
+//! A name of an arm that few poses show has to predict poses by which its joint and its setting were not chosen. There
+//! the geometry takes most of the information, and what chance leaves looks like some joint's gear.
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
@@ -22,14 +22,14 @@ pub(super) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     }
     loop {
         let names = regression.added(&found.fit).into_iter().map(|term| {
-            let rest = regression.without_term(&found.fit, term);
-            let gains = chosen_again(regression, &found.fit, &rest, term);
-            (gains.sigmas, rest)
+            let reduced = regression.without_term(&found.fit, term);
+            let gains = chosen_again(regression, &found.fit, &reduced, term);
+            (gains.sigmas, reduced)
         });
         let worst = names.min_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((_, rest)) = worst.filter(|worst| worst.0 < SURE) else {
+        let Some((_, reduced)) = worst.filter(|worst| worst.0 < SURE) else {
             return;
         };
-        found.fit = rest;
+        found.fit = reduced;
     }
 }

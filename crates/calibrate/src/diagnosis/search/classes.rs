@@ -5,8 +5,8 @@
 use crate::fewest;
 use crate::fit::problem::Problem;
 
-/// Puts suspects back that are more than half of their condition; `suspected` says it of what the
-/// problem counts.
+/// Uses suspects again that are more than half of their condition; `suspected` refers to the samples that the problem
+/// counts.
 pub(crate) fn keep(problem: &mut Problem, suspected: &[bool]) {
     let inputs = &problem.inputs;
     let n = suspected.len();

@@ -1,6 +1,6 @@
-//! Suspects that stand together over a joint's angle are evidence of something local, not
-//! accidents: they are put back. Not where they are gross: no machine has such an error, and rows of which the joint's
-//! value is missing stand together as well.
+//! Suspects in a cluster over a joint's angle are evidence of something local, not accidents: they are used again. Not
+//! where they are gross: no machine has such an error, and rows of which the joint's value is missing are a cluster as
+//! well.
 
 use std::cell::LazyCell;
 use std::collections::BTreeSet;
@@ -12,7 +12,7 @@ use crate::model::Model;
 use crate::thresholds::GROSS_SHARE;
 use crate::{fewest, odds};
 
-/// Puts back what stands together.
+/// Uses clusters again.
 pub(super) fn keep(problem: &mut Problem, base: &Model) {
     let fit = problem.to_fit().to_vec();
     let counted = problem.counted().iter();
@@ -25,7 +25,7 @@ pub(super) fn keep(problem: &mut Problem, base: &Model) {
     classes::keep(problem, &suspected);
     let share = count as f64 / fitted.max(1) as f64;
     let mut back = problem.counted().to_vec();
-    let left_mm = LazyCell::new(|| lengths_mm(problem, base));
+    let residual_mm = LazyCell::new(|| lengths_mm(problem, base));
     for joint in 0..problem.inputs.q.len() {
         let q = &problem.inputs.q[joint];
         let of = |i: usize| q[problem.sample_of(i)];
@@ -35,7 +35,7 @@ pub(super) fn keep(problem: &mut Problem, base: &Model) {
             let accident = fitted as f64 * share.powi(i32::try_from(own).unwrap_or(64));
             if own >= fewest::NO_ACCIDENT
                 && accident < odds::LIKELY.chance()
-                && !is_gross(problem, &left_mm, &run)
+                && !is_gross(problem, &residual_mm, &run)
             {
                 for index in run {
                     back[index] = true;
@@ -53,9 +53,12 @@ fn poses_of(problem: &Problem, counted: impl Iterator<Item = usize>) -> usize {
     counted.map(of).collect::<BTreeSet<usize>>().len()
 }
 
-/// Whether most of what is counted here is off by more than any effect.
-fn is_gross(problem: &Problem, left_mm: &[f64], run: &[usize]) -> bool {
-    let mut run: Vec<f64> = run.iter().map(|i| left_mm[problem.sample_of(*i)]).collect();
+/// Whether most of the errors here are larger than any effect.
+fn is_gross(problem: &Problem, residual_mm: &[f64], run: &[usize]) -> bool {
+    let mut run: Vec<f64> = run
+        .iter()
+        .map(|i| residual_mm[problem.sample_of(*i)])
+        .collect();
     run.sort_by(f64::total_cmp);
     run[run.len() / 2] > GROSS_SHARE * problem.session.robot.reach_mm()
 }

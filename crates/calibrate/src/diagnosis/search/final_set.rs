@@ -1,5 +1,5 @@
-//! The set of names that a search ends with, tested once more: each name against the rest, with the
-//! null of this very fit. A name that entered early may be worth nothing beside what came later.
+//! The final test of a set of names: each given the others, with the null of this very fit. A name that was added
+//! early may gain nothing given those that came later.
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
@@ -11,7 +11,7 @@ use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::{Cancelled, Progress, Watch};
 use crate::odds;
 
-/// Takes out, worst first, every name that does not carry itself.
+/// Takes out, worst first, every name that is not significant on its own.
 pub(crate) fn test(
     prepared: &PreparedSearch,
     found: &mut SearchResult,
@@ -21,7 +21,7 @@ pub(crate) fn test(
     Ok(())
 }
 
-/// A fit without the names that do not carry themselves in it.
+/// A fit without the names that are not significant on their own.
 pub(crate) fn tested(
     prepared: &PreparedSearch,
     mut fit: Fit,
@@ -35,35 +35,35 @@ pub(crate) fn tested(
         let unseen = prepared.folds.rms(regression, &fit);
         let terms = regression.added(&fit).into_iter();
         let mut worths: Vec<_> = terms.map(|t| (worth(prepared, &fit, t), t)).collect();
-        // The first that does not carry itself is the worst of them: nothing is asked of the others.
+        // The first that is not significant is the worst of them: the others are not tested.
         worths.sort_by(|a, b| a.0.ln_odds.total_cmp(&b.0.ln_odds));
         let worst = worths.into_iter().find_map(|(worth, term)| {
             let unlikely = worth.ln_odds < needed(&fit, term).max(0.0);
             let improbable =
                 || regression.chance_in_noise(worth.minus_ln_p, &fit) > odds::TAKEN.chance();
-            let useless = || prepared.folds.rms(regression, &worth.rest) <= unseen;
-            (unlikely || improbable() || useless()).then_some(worth.rest)
+            let useless = || prepared.folds.rms(regression, &worth.reduced) <= unseen;
+            (unlikely || improbable() || useless()).then_some(worth.reduced)
         });
-        let Some(rest) = worst else {
+        let Some(reduced) = worst else {
             return Ok(fit);
         };
-        fit = rest;
+        fit = reduced;
     }
 }
 
-/// Logarithms of odds that differ by less are equal: a fit is known no better.
+/// Logarithms of odds that differ by less are equal: neither fit is better.
 pub(crate) const EQUALLY_LIKELY: f64 = 1e-3;
 
 /// Whether a rival is likelier than a fit by more than rounding.
-pub(crate) fn is_above(rival: &Fit, fit: &Fit) -> bool {
+pub(crate) fn is_likelier(rival: &Fit, fit: &Fit) -> bool {
     rival.ln_evidence > fit.ln_evidence + EQUALLY_LIKELY
 }
 
-/// Whether a rival is likelier than a fit, and each of its names carries itself: what does not is no reason to
-/// doubt what does.
-pub(crate) fn stands_above(prepared: &PreparedSearch, rival: &Fit, fit: &Fit) -> bool {
+/// Whether a rival is likelier than a fit, and remains so without those of its names that are not significant on their
+/// own.
+pub(crate) fn exceeds_when_tested(prepared: &PreparedSearch, rival: &Fit, fit: &Fit) -> bool {
     let tested = || tested(prepared, rival.clone(), &|_| true);
-    is_above(rival, fit) && tested().is_ok_and(|rival| is_above(&rival, fit))
+    is_likelier(rival, fit) && tested().is_ok_and(|rival| is_likelier(&rival, fit))
 }
 
 /// Exchanges names for likelier ones, which a noise that changed since the search or a name that was
@@ -79,7 +79,7 @@ pub(crate) fn exchanged(prepared: &PreparedSearch, found: &mut SearchResult) -> 
         let Some(rival) = rivals.find(fits) else {
             break;
         };
-        if !is_above(&rival.fit, &found.fit) {
+        if !is_likelier(&rival.fit, &found.fit) {
             break;
         }
         found.fit = rival.fit;
@@ -88,8 +88,8 @@ pub(crate) fn exchanged(prepared: &PreparedSearch, found: &mut SearchResult) -> 
     changed
 }
 
-/// Holds the set against what will be said of it: a name in whose place another alone is likelier gives way
-/// to it, and one with which the error on unseen samples does not fall is taken out.
+/// Tests a set as it will be reported: a name that another alone exceeds in its place is replaced by it, and one with
+/// which the error on unseen samples does not fall is taken out.
 pub(crate) fn test_as_reported(
     prepared: &PreparedSearch,
     found: &mut SearchResult,
@@ -97,7 +97,7 @@ pub(crate) fn test_as_reported(
 ) -> Result<(), Cancelled> {
     let regression = &prepared.regression;
     let base = regression.fit(&regression.base, &[]);
-    // Where no more work may be done as many are exchanged as there are names, and not tested anew.
+    // Where the budget is spent as many are exchanged as there are names, and not tested again.
     let mut in_haste = regression.added(&found.fit).len();
     loop {
         if !watch(&Progress::Comparing) {
@@ -125,7 +125,7 @@ pub(crate) fn test_as_reported(
         } else {
             regression.fit(&found.fit.model, &[])
         };
-        // Of several kinds of measurement that in mm is not all that they show.
+        // Of several kinds of measurement the error in mm is not all of it.
         let of_kinds = regression.rows.observed().is_some();
         let idle = |step: &Step| {
             let held_out = if of_kinds {
@@ -144,9 +144,9 @@ pub(crate) fn test_as_reported(
     }
 }
 
-/// What is said where a search ends with a fit: names that carry themselves, each likelier than another in its
-/// place.
-pub(crate) fn self_supporting(prepared: &PreparedSearch, fit: Fit) -> Option<Fit> {
+/// What would be reported where a search ends with a fit: names that are significant on their own, each likelier than
+/// another in its place.
+pub(crate) fn reportable(prepared: &PreparedSearch, fit: Fit) -> Option<Fit> {
     let watch: Watch = &|_| true;
     let names = fit.clone();
     let mut found = SearchResult::of(tested(prepared, fit, watch).ok()?, names);
@@ -162,7 +162,7 @@ fn one_exchanged(prepared: &PreparedSearch, fit: &Fit) -> Option<Fit> {
         Next::than(prepared, fit, term, &worth)?.fit
     });
     let best = likelier.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence))?;
-    is_above(&best, fit).then_some(best)
+    is_likelier(&best, fit).then_some(best)
 }
 
 #[cfg(test)]
@@ -172,8 +172,8 @@ mod tests {
     use crate::diagnosis::candidates::table::CandidateKind;
     use crate::diagnosis::tests::eccentric;
 
-    /// What is said of a set of these names that a search would have ended with.
-    fn said_of(names: &[&str]) -> Vec<&'static str> {
+    /// What is reported of a search that would have ended with this set of names.
+    fn reported_of(names: &[&str]) -> Vec<&'static str> {
         let session = eccentric(15, 0.03);
         let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
@@ -193,18 +193,21 @@ mod tests {
 
     #[test]
     fn a_name_gives_way_to_a_likelier_one() {
-        assert_eq!(said_of(&["encoder-two-cycle"]), ["encoder-eccentricity"]);
+        assert_eq!(
+            reported_of(&["encoder-two-cycle"]),
+            ["encoder-eccentricity"]
+        );
     }
 
     #[test]
     fn a_name_with_which_unseen_samples_are_predicted_no_better_is_not_said() {
         let names = ["encoder-eccentricity", "encoder-two-cycle"];
-        assert_eq!(said_of(&names), ["encoder-eccentricity"]);
+        assert_eq!(reported_of(&names), ["encoder-eccentricity"]);
     }
 
     #[test]
     fn what_is_right_stays() {
         let names = ["encoder-eccentricity"];
-        assert_eq!(said_of(&names), names);
+        assert_eq!(reported_of(&names), names);
     }
 }

@@ -1,5 +1,5 @@
-//! The noise floor: the smallest gap that noise allows, from returns to the same pose, else from
-//! the instrument's maker, else from what the final model leaves.
+//! The noise floor: the smallest RMS error that noise allows, from returns to the same pose, else from the
+//! instrument's maker, else from the residuals of the final model.
 
 use std::collections::BTreeSet;
 
@@ -13,8 +13,8 @@ use super::prepare::PreparedSearch;
 use crate::answers::diagnosis::{Floor, FloorFrom};
 use crate::diagnosis::evidence::{Fit, Regression};
 
-/// From returns to the same pose, else the instrument, else the residuals of the final fit; never below
-/// what rounding to the digit of the coordinates leaves.
+/// From returns to the same pose, else the instrument, else the residuals of the final fit; never below the rounding
+/// to the digit of the coordinates.
 pub(crate) fn floor(prepared: &PreparedSearch, fit: &Fit) -> Floor {
     let rows = &prepared.regression.rows;
     let squares = rows
@@ -72,8 +72,7 @@ fn estimated_mm(regression: &Regression) -> f64 {
     }
 }
 
-/// The same where other things than plain points were measured; `noise_mm` is what the noise of the
-/// regression leaves.
+/// The same where other things than plain points were measured; `noise_mm` is that of the regression.
 fn of_observations(prepared: &PreparedSearch, fit: &Fit, noise_mm: f64) -> Floor {
     let regression = &prepared.regression;
     let stated = prepared.problem.observed.as_ref();
@@ -95,7 +94,7 @@ fn of_observations(prepared: &PreparedSearch, fit: &Fit, noise_mm: f64) -> Floor
     }
 }
 
-/// What returns to the same pose tell of the noise.
+/// The pure error: the noise as returns to the same pose show it.
 pub(crate) struct PureError {
     /// Root mean square length, mm; `None` where no length was measured again.
     pub(crate) mm: Option<f64>,
@@ -105,8 +104,8 @@ pub(crate) struct PureError {
     pub(crate) freedom: f64,
 }
 
-/// Spread between samples of the same pose, side, target, speed and load, reached again after
-/// another pose. Two shots in one pose tell of the instrument alone.
+/// Spread between samples of the same pose, side, target, speed and load, reached again after another pose. Two shots
+/// in one pose show the noise of the instrument alone.
 pub(crate) fn pure_error(prepared: &PreparedSearch) -> Option<PureError> {
     let rows = &prepared.regression.rows;
     let inputs = &rows.inputs;
@@ -150,7 +149,7 @@ pub(crate) fn pure_error(prepared: &PreparedSearch) -> Option<PureError> {
                 let values = group.iter().map(|i| raw[axis * n + i]);
                 let mean = values.clone().sum::<f64>() / group.len() as f64;
                 let square = values.map(|v| (v - mean).powi(2)).sum::<f64>();
-                // Angles beside lengths are none.
+                // Angles measured with lengths count nothing.
                 let mm = rows.mm(axis * n + group[0]);
                 has_length |= mm > 0.0;
                 sum += mm * mm * square;
@@ -162,7 +161,7 @@ pub(crate) fn pure_error(prepared: &PreparedSearch) -> Option<PureError> {
     }
     let all = all as f64;
     let mm = (of_lengths >= fewest::TO_JUDGE).then(|| (sum / of_lengths as f64).sqrt());
-    // What is farther apart is no return: the commands are not the robot's.
+    // If they are farther apart they are no returns: the commands are not the robot's.
     let worst_mm = GROSS_SHARE * prepared.problem.session.robot.reach_mm();
     let are_returns = mm.is_none_or(|mm| mm <= worst_mm);
     let of_poses = returned_poses(inputs).map(|count| (rows.axes.len() * count) as f64);
@@ -181,8 +180,7 @@ fn is_reached_again(inputs: &Inputs, before: usize, now: usize) -> bool {
     }
 }
 
-/// How often a pose was reached again, where several samples share one: all that is measured in it tells of its return
-/// but once.
+/// How often a pose was reached again, where several samples share one: all that is measured in it counts once.
 fn returned_poses(inputs: &Inputs) -> Option<usize> {
     let pose = inputs.pose.as_deref()?;
     let commands = |i: usize| -> Vec<u64> { inputs.q.iter().map(|q| q[i].to_bits()).collect() };

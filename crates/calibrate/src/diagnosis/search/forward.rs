@@ -1,6 +1,6 @@
-//! The search: forward, one effect at a time, each step followed by swaps and drops, then pairs
-//! against pairs; once with names alone and once with shapes beside them. The likelier end wins,
-//! and names are preferred: a shape has to be twenty times likelier than what names can do.
+//! Forward selection: one effect at a time, each step followed by swaps and drops, then pairs against pairs; once with
+//! names alone and once with shapes added. The likelier result wins, and names are preferred: a shape has to be twenty
+//! times likelier than what names can do.
 //!
 //! A step is taken if noise alone would lead the whole search to as small a p in fewer than
 //! [`odds::TAKEN`] of all sessions, if samples that the fit has not seen are predicted better, and if
@@ -26,7 +26,7 @@ const LEAST_OF_TOLERANCE: f64 = 0.1;
 /// An effect below this is rounding, mm.
 const LEAST_MM: f64 = 2e-5;
 
-/// What may be added in a pass.
+/// The candidates that may be added in a pass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Additions {
     Names,
@@ -54,13 +54,13 @@ pub(crate) struct Search<'s, 'a> {
 impl Search<'_, '_> {
     pub(crate) fn run(&self) -> Result<SearchResult, Cancelled> {
         let base = self.regression.fit(&self.regression.base, &[]);
-        self.tell(&Progress::Searching {
+        self.report(&Progress::Searching {
             found: Vec::new(),
             percent: 0,
         })?;
         let mut named_effects_only = self.forward(base.clone(), Additions::Names)?;
         named_effects_only = self.pairs(named_effects_only)?;
-        // Names first, then what they leave; and everything at once from the start.
+        // Names first, then shapes on their residuals; and everything at once from the start.
         let extended = self.forward(named_effects_only.clone(), Additions::Everything)?;
         let work = &self.regression.work;
         let complete = work.ended().is_none();
@@ -73,13 +73,13 @@ impl Search<'_, '_> {
             }
         }
         if complete {
-            // What the second way has left out the first one has looked for.
+            // What the second way left out the first one has searched.
             work.begin_again();
         }
         Ok(SearchResult::of(fit, named_effects_only))
     }
 
-    /// Goes on from where a search under nearly the same noise has ended.
+    /// Continues from the end of a search under nearly the same noise.
     pub(crate) fn resume(&self, from: &SearchResult) -> Result<SearchResult, Cancelled> {
         let fit = self.resume_fit(&from.fit, Additions::Everything)?;
         let named_effects_only = if fit.shapes.is_empty() {
@@ -101,7 +101,7 @@ impl Search<'_, '_> {
         self.pairs(self.forward(fit, allow)?)
     }
 
-    fn tell(&self, progress: &Progress) -> Result<(), Cancelled> {
+    fn report(&self, progress: &Progress) -> Result<(), Cancelled> {
         if (self.watch)(progress) {
             Ok(())
         } else {
@@ -109,10 +109,10 @@ impl Search<'_, '_> {
         }
     }
 
-    /// The search is where it has found this; it is never said to be further than it is.
-    pub(super) fn tell_found(&self, fit: &Fit) -> Result<(), Cancelled> {
+    /// The progress by what was found; the reported share never falls.
+    pub(super) fn report_found(&self, fit: &Fit) -> Result<(), Cancelled> {
         let names = self.regression.added(fit).into_iter();
-        self.tell(&Progress::Searching {
+        self.report(&Progress::Searching {
             found: names
                 .map(|term| term.name_on(&self.regression.base.robot))
                 .collect(),
@@ -124,7 +124,7 @@ impl Search<'_, '_> {
         self.regression.added(fit).len() + fit.shapes.len()
     }
 
-    /// Adds what is significant, best first, until nothing is.
+    /// Adds candidates while they are significant, best first.
     fn forward(&self, start: Fit, allow: Additions) -> Result<Fit, Cancelled> {
         let mut fit = start;
         while self.count(&fit) < self.most && !self.regression.work.is_over() {
@@ -138,7 +138,7 @@ impl Search<'_, '_> {
                 break;
             }
             fit = next;
-            self.tell_found(&fit)?;
+            self.report_found(&fit)?;
         }
         Ok(fit)
     }
@@ -166,8 +166,8 @@ impl Search<'_, '_> {
         None
     }
 
-    /// All orders at once that the gear ratio of a joint asks for, where none of them does alone: as likely by their
-    /// odds as a step has to be by its p.
+    /// All orders at once that follow from the gear ratio of a joint, where none of them gains enough alone: as likely
+    /// by their odds as a step has to be by its p.
     fn of_a_gear(&self, fit: &Fit) -> Option<Fit> {
         let regression = self.regression;
         let there = regression.added(fit);
@@ -195,8 +195,8 @@ impl Search<'_, '_> {
         proven.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence))
     }
 
-    /// Two names at once, where neither does without the other: as likely by their odds as a step has to
-    /// be by its p. Each is tested beside the other at the end.
+    /// Two names at once, where neither gains enough without the other: as likely by their odds as a step has to be by
+    /// its p. Each is tested given the other at the end.
     fn two_at_once(&self, fit: &Fit, allow: Additions) -> Option<Fit> {
         if allow != Additions::Names || self.count(fit) + 2 > self.most {
             return None;
@@ -210,8 +210,8 @@ impl Search<'_, '_> {
         })
     }
 
-    /// A fit with each candidate, but for what its own values rule out: a compliance that is not clear of
-    /// zero beside what has not been found yet is no reason against the others.
+    /// A fit with each candidate, except those whose own values rule them out: a compliance that is not significantly
+    /// positive as long as other effects are missing is no argument against the others.
     pub(super) fn possible<'f>(
         &'f self,
         fit: &'f Fit,
@@ -229,7 +229,7 @@ impl Search<'_, '_> {
         self.unseen.of(fit, work)
     }
 
-    /// The candidates that may stand beside what a fit has.
+    /// The candidates that are compatible with the terms of a fit.
     pub(super) fn retain_compatible(&self, fit: &Fit, allow: Additions, scores: &mut Vec<Score>) {
         let there = self.regression.added(fit);
         let candidates = &self.regression.table.candidates;
@@ -275,7 +275,7 @@ impl<'a> PreparedSearch<'a> {
         Ok(self.searcher(watch).run()?)
     }
 
-    /// Goes on from the end of a search under nearly the same noise.
+    /// Continues from the end of a search under nearly the same noise.
     pub(crate) fn resume(
         &self,
         from: &SearchResult,
@@ -305,9 +305,9 @@ mod tests {
     use crate::diagnosis::search::prepare::PreparedSearch;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
-    /// Links of unknown masses sag under loads that hardly differ: the moments explain what is left, and the
-    /// compliance, which only the loads tell, is not clear of zero. The likeliest candidate is ruled out by its
-    /// own values, and the next ones are looked at: the eccentric encoder beside it is found all the same.
+    /// Links of unknown masses sag under loads that hardly differ: the moments explain the residual, and the
+    /// compliance, which only the loads determine, is not significantly positive. The likeliest candidate is ruled out
+    /// by its own values, and the next ones are tried: the eccentric encoder is found nevertheless.
     #[test]
     fn a_candidate_that_its_own_values_rule_out_does_not_end_the_search() {
         let stops = (0..120).map(|k| {
@@ -359,8 +359,8 @@ mod tests {
         assert!(next.ln_evidence > base.ln_evidence);
     }
 
-    /// Loads of 2 and 6 kg on a link that droops, and a base that stands higher by as much as it droops in the
-    /// mean: the droop alone takes a fifth of what both take together, and the base nothing.
+    /// Loads of 2 and 6 kg on a link that droops, and a base that is higher by as much as it droops in the mean: the
+    /// droop alone explains a fifth of what both explain together, and the base nothing.
     #[test]
     fn two_that_cancel_each_other_but_for_the_rest_are_found_together() {
         let stops = (0..120).map(|k| {
@@ -385,7 +385,7 @@ mod tests {
         let found = prepared.search(&|_| true).unwrap();
         let names = prepared.regression.added(&found.fit);
         let names: Vec<&str> = names.iter().map(|t| t.effect.about().id).collect();
-        // At one height an instrument's scale is a base that stands higher.
+        // At one height an instrument's scale is equivalent to a higher base.
         let higher = names.contains(&"base-offset") || names.contains(&"instrument-scale");
         assert!(
             names.len() == 2 && names.contains(&"link-droop") && higher,

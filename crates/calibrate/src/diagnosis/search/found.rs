@@ -1,9 +1,9 @@
-//! What a search ends with.
+//! The result of a search.
 
 use crate::diagnosis::evidence::Fit;
 use crate::effects::Term;
 
-/// How the search ended.
+/// The end of the search.
 pub(crate) struct SearchResult {
     /// The model with everything that is accepted.
     pub(crate) fit: Fit,
@@ -11,7 +11,7 @@ pub(crate) struct SearchResult {
     pub(crate) named_effects_only: Fit,
     /// Whether the names were withdrawn, as the geometry of several joints does not fit.
     pub(crate) base_misfit: bool,
-    /// Waves that equal steps cannot tell from slower ones, which their names have no setting for.
+    /// Waves that equal steps cannot distinguish from slower ones, which their names have no setting for.
     pub(crate) withdrawn: Vec<Term>,
     /// Ends of other searches, under another noise, that the samples do not rule out.
     pub(crate) other_ends: Vec<Fit>,

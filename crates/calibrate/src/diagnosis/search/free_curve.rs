@@ -3,8 +3,8 @@
 //! two-cycle together, and none of them is any of these.
 //!
 //! The curve is a Gaussian process along the joint's motion, along its radius and along its axis
-//! ([`crate::diagnosis::rest`]); its likelihood, with the curve integrated out, stands beside that of the
-//! names. Where it is likelier without names, the names that only make it up are withdrawn.
+//! ([`crate::diagnosis::rest`]); its marginal likelihood is compared with that of the names. Where it is likelier
+//! without names, the names that only imitate it are withdrawn.
 
 use std::collections::BTreeMap;
 
@@ -25,8 +25,8 @@ use crate::diagnosis::evidence::{EFFECT_PRIOR_PENALTY, Fit, Regression};
 use crate::diagnosis::rest::joint::free_curve;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
-/// What the curve pays: as a name for being there, and a factor of e for each of its numbers (length,
-/// size, roughness). Names are as many as they are; no further preference is needed.
+/// The penalty of the curve: that of a name, and a factor of e for each of its parameters (length, size, roughness).
+/// Names have no prior preference; no further one is needed.
 const PRICE: f64 = EFFECT_PRIOR_PENALTY + 3.0;
 /// Waves over the range from which on a name is not smooth.
 const FEW_WAVES: f64 = 3.0;
@@ -34,8 +34,8 @@ const FEW_WAVES: f64 = 3.0;
 /// the stiffer.
 const PULLS: [f64; 6] = [0.05, 0.07, 0.1, 0.14, 0.2, 0.28];
 
-/// A model with the likeliest curve over a joint beside it, or with none.
-struct BesideCurve {
+/// A model with the likeliest curve over a joint added, or with none.
+struct FitWithCurve {
     ln_evidence: f64,
     fit: Fit,
     curve: Option<Curve>,
@@ -45,13 +45,13 @@ struct BesideCurve {
 struct Curve {
     /// How much likelier the samples are with it, as a logarithm.
     ln_odds: f64,
-    /// Pieces of a polygon that says as much.
+    /// Pieces of an equivalent polygon.
     pieces: usize,
-    /// Where it pushes most.
+    /// The direction in which it is largest.
     direction: Direction,
 }
 
-impl BesideCurve {
+impl FitWithCurve {
     fn of(prepared: &PreparedSearch, model: &Model, shapes: &[Placed], joint: usize) -> Self {
         let fit = prepared.regression.fit(model, shapes);
         let across = &prepared.regression.table.space.across;
@@ -99,13 +99,13 @@ impl BesideCurve {
 }
 
 /// How much likelier the samples are, as a logarithm, with two pulls along the joint's motion that grow exponentially
-/// towards the ends of its range, of independent sizes t in units of the noise.
-/// With B their columns beside the fit and r what that leaves,
+/// towards the ends of its range, of independent sizes t in units of the noise. With B their columns projected
+/// orthogonal to the fit and r its residual,
 ///
 /// ```text
 /// ln E = −½ Σ ln(1 + t² e_k) − (m/2) ln(1 − Σ t² z_k²/(1 + t² e_k) / rss),   e, U: eigen of BᵀB,   z = Uᵀ Bᵀ r
 /// ```
-fn pulled_at_its_ends(regression: &Regression, rest: &Fit, joint: usize) -> Option<Curve> {
+fn pulled_at_its_ends(regression: &Regression, reduced: &Fit, joint: usize) -> Option<Curve> {
     let direction = Direction::Tangential(joint);
     let free = regression
         .placed(over(joint, direction, MOST_KNOTS - 1))
@@ -113,7 +113,7 @@ fn pulled_at_its_ends(regression: &Regression, rest: &Fit, joint: usize) -> Opti
     // One unit of the curve moves a sample by one unit of its noise, in the mean.
     let samples = regression.rows.samples.len().max(1) as f64;
     let unit = free.column_sum().norm_squared().max(free.norm_squared()) / samples;
-    let (total, m) = (regression.rounded(rest.rss), regression.m());
+    let (total, m) = (regression.rounded(reduced.rss), regression.m());
     let of_length = |length: f64| {
         let root = DMatrix::from_fn(MOST_KNOTS, 2, |row, end| {
             let from_low = row as f64 / (MOST_KNOTS - 1) as f64;
@@ -121,9 +121,9 @@ fn pulled_at_its_ends(regression: &Regression, rest: &Fit, joint: usize) -> Opti
             (-away / length).exp()
         });
         let mut columns = &*free * root / unit.sqrt();
-        reject_all(&rest.basis.q, &mut columns);
+        reject_all(&reduced.basis.q, &mut columns);
         let own = eigen(columns.tr_mul(&columns));
-        let z = own.eigenvectors.tr_mul(&columns.tr_mul(&rest.residual));
+        let z = own.eigenvectors.tr_mul(&columns.tr_mul(&reduced.residual));
         let of_size = |size: f64| {
             let t2 = size * size;
             let (mut determinant, mut gain) = (0.0, 0.0);
@@ -188,11 +188,12 @@ fn slow(prepared: &PreparedSearch, names: &[Term], joint: usize) -> Vec<Term> {
     names.iter().filter(is_slow).cloned().collect()
 }
 
-/// Holds a free curve over each joint against all names over it, over the only joint against the slow ones too; or
-/// `one_by_one`, over the only joint, against each besides, the curve beside the others. Where the samples are likelier
-/// without them they are taken out: what repeats is in the model with or without a name, and a name has to beat it.
+/// Compares a free curve over each joint with all names over it, over the only joint with the slow ones too; or with
+/// `one_by_one`, over the only joint, also with each of them, the curve in addition to the others. Where the samples
+/// are likelier without the names they are taken out: what repeats is in the model with or without a name, and a name
+/// has to be likelier.
 pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_one: bool) {
-    // What wanders is held against the names elsewhere.
+    // Slow noise is compared with the names elsewhere.
     let single = prepared.survey.joints.len() == 1 && prepared.regression.noise.slow.is_none();
     if one_by_one && !single {
         return;
@@ -200,10 +201,10 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_
     for joint in 0..prepared.survey.joints.len() {
         let (mut names, kept) = over_joint(prepared, &found.fit, joint);
         let has_shape = kept.len() < found.fit.shapes.len();
-        let beside = |model: &Model| BesideCurve::of(prepared, model, &kept, joint);
+        let fitted = |model: &Model| FitWithCurve::of(prepared, model, &kept, joint);
         let mut most = found.fit.ln_evidence;
         if one_by_one && !names.is_empty() {
-            most = most.max(beside(&found.fit.model).ln_evidence);
+            most = most.max(fitted(&found.fit.model).ln_evidence);
         }
         let mut model = found.fit.model.clone();
         let mut likeliest = None;
@@ -220,14 +221,14 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_
                 sets.extend(names.iter().map(|name| vec![name.clone()]));
             }
             let rests = sets.into_iter().map(|set| without(&model, &set));
-            let rests = rests.map(|model| (beside(&model), model));
+            let rests = rests.map(|model| (fitted(&model), model));
             let best = rests.max_by(|a, b| a.0.ln_evidence.total_cmp(&b.0.ln_evidence));
-            let Some((rest, fewer)) = best.filter(|best| best.0.ln_evidence > most) else {
+            let Some((reduced, fewer)) = best.filter(|best| best.0.ln_evidence > most) else {
                 break;
             };
-            (most, model) = (rest.ln_evidence, fewer);
+            (most, model) = (reduced.ln_evidence, fewer);
             names.retain(|name| model.terms().iter().any(|t| t.same_column(name)));
-            likeliest = Some(rest);
+            likeliest = Some(reduced);
         }
         if let Some(likeliest) = likeliest {
             found.fit = likeliest.into_fit(prepared, joint);
@@ -235,9 +236,9 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_
     }
 }
 
-/// Takes names over a joint out that stand beside a shape over it, where zero offset, names and shape have more numbers
-/// than half of the values at which it was measured: the residuals at these cannot contradict them, however often each
-/// was visited. (Evidence counts every visit, so that it does not show that.)
+/// Takes names over a joint out that are in the model together with a shape over it, where zero offset, names and
+/// shape have more parameters than half of the values at which it was measured: the residuals at these cannot
+/// contradict them, however often each was visited. (Evidence counts every visit, so that it does not show that.)
 pub(crate) fn withdraw_of_few_values(prepared: &PreparedSearch, found: &mut SearchResult) {
     for (joint, survey) in prepared.survey.joints.iter().enumerate() {
         let (names, kept) = over_joint(prepared, &found.fit, joint);
@@ -251,14 +252,14 @@ pub(crate) fn withdraw_of_few_values(prepared: &PreparedSearch, found: &mut Sear
         let of_shapes: usize = shapes.map(|s| s.count() + s.settings()).sum();
         let numbers = 1 + columns(&names) + of_shapes;
         if of_shapes > 0 && !names.is_empty() && survey.values < ENOUGH.min(2 * numbers) {
-            let rest = without(&found.fit.model, &names);
-            let rest = BesideCurve::of(prepared, &rest, &kept, joint);
-            found.fit = rest.into_fit(prepared, joint);
+            let reduced = without(&found.fit.model, &names);
+            let reduced = FitWithCurve::of(prepared, &reduced, &kept, joint);
+            found.fit = reduced.into_fit(prepared, joint);
         }
     }
 }
 
-/// Names over a joint, with the joint, that the samples cannot tell from a curve.
+/// Names over a joint, with the joint, that the samples cannot distinguish from a curve.
 pub(crate) fn as_likely(prepared: &PreparedSearch, fit: &Fit) -> Option<(usize, Vec<Term>)> {
     let of_joint = |joint: usize| {
         let (names, kept) = over_joint(prepared, fit, joint);
@@ -276,7 +277,7 @@ pub(crate) fn as_likely(prepared: &PreparedSearch, fit: &Fit) -> Option<(usize, 
 /// How much likelier the samples are with a curve over a joint in the place of names, as a logarithm.
 fn ln_odds(prepared: &PreparedSearch, fit: &Fit, joint: usize, names: &[Term]) -> f64 {
     let model = without(&fit.model, names);
-    BesideCurve::of(prepared, &model, &fit.shapes, joint).ln_evidence - fit.ln_evidence
+    FitWithCurve::of(prepared, &model, &fit.shapes, joint).ln_evidence - fit.ln_evidence
 }
 
 /// Numbers that names have: coefficients and settings.
@@ -287,9 +288,9 @@ fn columns(names: &[Term]) -> usize {
         .sum()
 }
 
-/// The free curve that takes the place of a slow part of the noise, beside the names that do not
-/// follow the same joint: what comes back at the same value of the joint is no frame that wanders,
-/// however quickly both change. `None` where no curve is as likely as what was found.
+/// The free curve that replaces a slow part of the noise, in addition to the names that do not follow the same joint:
+/// what comes back at the same value of the joint is no drift of the frame, however quickly both change. `None` where
+/// no curve is as likely as what was found.
 pub(crate) fn instead_of_slow(
     white: &PreparedSearch,
     found: &SearchResult,
@@ -300,10 +301,10 @@ pub(crate) fn instead_of_slow(
     for joint in (0..white.survey.joints.len()).filter(|joint| may_be_over(*joint)) {
         let (names, _) = over_joint(white, &found.fit, joint);
         let model = without(&found.fit.model, &names);
-        let beside = BesideCurve::of(white, &model, &[], joint);
+        let fitted = FitWithCurve::of(white, &model, &[], joint);
         let before = best.as_ref().unwrap_or(&found.fit).ln_evidence;
-        if beside.curve.is_some() && beside.ln_evidence > before {
-            best = Some(beside.into_fit(white, joint));
+        if fitted.curve.is_some() && fitted.ln_evidence > before {
+            best = Some(fitted.into_fit(white, joint));
         }
     }
     let names = || regression.fit(&found.named_effects_only.model, &[]);
@@ -352,10 +353,10 @@ fn settings(term: &Term) -> usize {
     usize::from(crate::effects::term::setting_quantity(term.effect.about().setting).is_some())
 }
 
-fn with_curve(regression: &Regression, rest: &Fit, curve: Shape, ln_evidence: f64) -> Fit {
-    let mut shapes = rest.shapes.clone();
+fn with_curve(regression: &Regression, reduced: &Fit, curve: Shape, ln_evidence: f64) -> Fit {
+    let mut shapes = reduced.shapes.clone();
     shapes.push(regression.placed(curve));
-    let mut fit = regression.fit(&rest.model, &shapes);
+    let mut fit = regression.fit(&reduced.model, &shapes);
     let credit = ln_evidence - fit.ln_evidence;
     if let Some(curve) = fit.shapes.last_mut() {
         curve.credit = credit;
@@ -396,29 +397,29 @@ mod tests {
         let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let base = regression.fit(&regression.base, &[]);
-        let beside = with_curve(
+        let fitted = with_curve(
             regression,
             &base,
             over(1, Direction::Tangential(1), 48),
             0.0,
         );
         let at = |fit: &Fit| deviations(&prepared.problem, &fit.model).axes_mm;
-        let (alone, with) = (at(&base), at(&beside));
+        let (alone, with) = (at(&base), at(&fitted));
         let moved = (0..3).flat_map(|axis| alone[axis].iter().zip(&with[axis]));
         let most = moved.fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
         assert!(most < 0.1, "the geometry alone moves by {most} mm");
         // And the curve does its part.
         assert!(
-            beside.rss < 0.7 * base.rss,
+            fitted.rss < 0.7 * base.rss,
             "{} of {}",
-            beside.rss,
+            fitted.rss,
             base.rss
         );
     }
 
     const NAMES: [&str; 3] = ["joint-scale", "encoder-eccentricity", "encoder-two-cycle"];
 
-    /// One axis whose angle is off by this many degrees at each of its values, in degrees, beside effects.
+    /// One axis whose angle is off by this many degrees at each of its values, in degrees, in addition to effects.
     fn axis(effects: &str, off: impl Fn(f64) -> f64) -> Session {
         let stops = (0..140).map(|k| {
             let turn = 340.0 * (f64::from(k) * 0.754_877_666).fract() - 170.0;
@@ -469,8 +470,8 @@ mod tests {
             samples.z_mm.as_mut().unwrap()[k] += up;
         }
         let prepared = PreparedSearch::new(&session, &Options::default()).unwrap();
-        let beside = BesideCurve::of(&prepared, &prepared.regression.base, &[], 0);
-        let fit = beside.into_fit(&prepared, 0);
+        let fitted = FitWithCurve::of(&prepared, &prepared.regression.base, &[], 0);
+        let fit = fitted.into_fit(&prepared, 0);
         assert_eq!(fit.shapes[0].shape.direction, Direction::Axial);
     }
 

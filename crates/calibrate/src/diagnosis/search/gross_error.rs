@@ -1,8 +1,7 @@
-//! No name while the error is gross: what leaves more than a hundredth of the robot's size is no effect
-//! beside a geometry that fits, but rows, a set-up or a description that is wrong in a way that was not
-//! recognised.
+//! No name while the error is gross: a residual of more than a hundredth of the robot's size is no effect, but rows, a
+//! set-up or a description that is wrong in a way that was not recognised.
 
-use super::base_misfit::left_mm;
+use super::base_misfit::residual_mm;
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
 use crate::thresholds::GROSS_SHARE;
@@ -11,7 +10,7 @@ use crate::thresholds::GROSS_SHARE;
 pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     let regression = &prepared.regression;
     let several = !regression.added(&found.fit).is_empty() || !found.fit.shapes.is_empty();
-    if several && is_gross(left_mm(prepared, &found.fit), size_mm(prepared)) {
+    if several && is_gross(residual_mm(prepared, &found.fit), size_mm(prepared)) {
         let base = regression.fit(&regression.base, &[]);
         found.named_effects_only = std::mem::replace(&mut found.fit, base);
         found.base_misfit = true;
@@ -19,8 +18,8 @@ pub(crate) fn withdraw(prepared: &PreparedSearch, found: &mut SearchResult) {
     }
 }
 
-pub(crate) fn is_gross(left_mm: f64, size_mm: f64) -> bool {
-    size_mm > 0.0 && left_mm > GROSS_SHARE * size_mm
+pub(crate) fn is_gross(residual_mm: f64, size_mm: f64) -> bool {
+    size_mm > 0.0 && residual_mm > GROSS_SHARE * size_mm
 }
 
 /// How far the tool is from the axes of the robot, the farthest, mm.

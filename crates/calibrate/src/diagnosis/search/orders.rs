@@ -1,9 +1,9 @@
 //! Several orders over the same joint, fitted together.
 //!
-//! A search takes one order after the other, and the first of some neighbours settles between them: a
-//! number that is right for it alone and wrong beside the others. So all orders are tried as whole numbers
-//! at once, and each is refined beside the rest. What an order that is not whole is unsure of, amplitudes
-//! and phases are unsure of as well: with D the change of the rows by the orders and J all other columns,
+//! A search adds one order after the other, and the first of some neighbours settles between them: a number that is
+//! optimal for it alone and wrong together with the others. So all orders are tried as whole numbers at once, and each
+//! is refined given the others. The uncertainty of an order that is not whole adds to that of amplitudes and phases:
+//! with D the derivative of the rows with respect to the orders and J all other columns,
 //!
 //! ```text
 //! V = (Dᵀ (1 − J J⁺) D)⁻¹,   cov(β) = (JᵀJ)⁻¹ + J⁺D V (J⁺D)ᵀ
@@ -31,7 +31,7 @@ fn is_fraction(term: &Term) -> bool {
     takes_fractions(term) && term.setting.fract() != 0.0
 }
 
-/// The likeliest of a fit's orders as they are, all of them whole, and each refined beside the others.
+/// The likeliest of a fit's orders as they are, all of them whole, and each refined given the others.
 pub(crate) fn together(regression: &Regression, fit: Fit) -> Fit {
     let orders = |fit: &Fit| -> Vec<Term> {
         let added = regression.added(fit).into_iter().cloned();
@@ -41,7 +41,7 @@ pub(crate) fn together(regression: &Regression, fit: Fit) -> Fit {
     if own.len() < 2 || !own.iter().any(is_fraction) {
         return fit;
     }
-    // Sets before single orders: rounded one by one, an order that stands between two keeps both away.
+    // Sets before single orders: rounded one by one, an order between two keeps both away.
     let joints = 0..regression.base.robot.joints.len();
     let sets = joints.filter_map(|joint| whole_set(regression, &fit, joint));
     let whole: Vec<Fit> = sets.chain(all_whole(regression, &fit, &own)).collect();
@@ -54,17 +54,17 @@ pub(crate) fn together(regression: &Regression, fit: Fit) -> Fit {
     for _ in 0..budget::ROUNDS {
         let before = best.ln_evidence;
         for term in orders(&best) {
-            let rest = regression.without_term(&best, &term);
-            let refined = regression.refined_order(&rest, &at(&term, term.setting.round()));
+            let reduced = regression.without_term(&best, &term);
+            let refined = regression.refined_order(&reduced, &at(&term, term.setting.round()));
             let taken = regression
-                .added(&rest)
+                .added(&reduced)
                 .iter()
                 .any(|t| t.same_column(&refined));
             if taken || refined.same_column(&term) {
                 continue;
             }
             let absent = Term::absent(refined.effect, refined.joint, refined.setting);
-            let next = regression.fit(&rest.model.with_term(absent), &rest.shapes);
+            let next = regression.fit(&reduced.model.with_term(absent), &reduced.shapes);
             if next.ln_evidence > best.ln_evidence {
                 best = next;
             }
@@ -78,10 +78,10 @@ pub(crate) fn together(regression: &Regression, fit: Fit) -> Fit {
 
 /// The fit with every order at the whole number next to it, where these differ.
 fn all_whole(regression: &Regression, fit: &Fit, orders: &[Term]) -> Option<Fit> {
-    let mut rest = fit.model.clone();
+    let mut reduced = fit.model.clone();
     let mut whole: Vec<Term> = Vec::new();
     for term in orders {
-        rest = rest.without(|t| t.same_column(term));
+        reduced = reduced.without(|t| t.same_column(term));
         let next = at(term, term.setting.round());
         if whole.iter().any(|t| t.same_column(&next)) {
             return None;
@@ -89,7 +89,7 @@ fn all_whole(regression: &Regression, fit: &Fit, orders: &[Term]) -> Option<Fit>
         whole.push(next);
     }
     let absent = |t: &Term| Term::absent(t.effect, t.joint, t.setting);
-    let model = whole.iter().fold(rest, |m, t| m.with_term(absent(t)));
+    let model = whole.iter().fold(reduced, |m, t| m.with_term(absent(t)));
     Some(regression.fit(&model, &fit.shapes))
 }
 
@@ -100,8 +100,8 @@ const AROUND: f64 = 3.0;
 /// … of sets of so many at most.
 const MOST_OF_A_SET: usize = 4;
 
-/// The fit with the likeliest set of whole orders in the place of neighbouring ones of which some are fractions:
-/// as many, or one more. One order that stands between two is no step away from them.
+/// The fit with the likeliest set of whole orders in the place of neighbouring ones of which some are fractions: as
+/// many, or one more. From one order between two no step leads to both.
 fn whole_set(regression: &Regression, fit: &Fit, joint: usize) -> Option<Fit> {
     let added = regression.added(fit).into_iter();
     let mut own: Vec<Term> = added
@@ -117,8 +117,8 @@ fn whole_set(regression: &Regression, fit: &Fit, joint: usize) -> Option<Fit> {
         return None;
     }
     let model = fit.model.without(|t| set.iter().any(|s| s.same_column(t)));
-    let rest = regression.fit(&model, &fit.shapes);
-    let there = regression.added(&rest);
+    let reduced = regression.fit(&model, &fit.shapes);
+    let there = regression.added(&reduced);
     let candidates: Vec<&Candidate> = regression
         .table
         .candidates
@@ -133,9 +133,9 @@ fn whole_set(regression: &Regression, fit: &Fit, joint: usize) -> Option<Fit> {
         .collect();
     let terms: Vec<&Term> = candidates.iter().filter_map(|c| c.what.term()).collect();
     let mut free = regression.white_columns(&candidates);
-    reject_all(&rest.basis.q, &mut free);
+    reject_all(&reduced.basis.q, &mut free);
     let all = gram(&free);
-    let pulls = free.tr_mul(&rest.residual);
+    let pulls = free.tr_mul(&reduced.residual);
     let gain = |of: &[usize]| {
         let at: Vec<usize> = of.iter().flat_map(|k| [2 * k, 2 * k + 1]).collect();
         let own = all.select_rows(&at).select_columns(&at);
@@ -152,8 +152,8 @@ fn whole_set(regression: &Regression, fit: &Fit, joint: usize) -> Option<Fit> {
             continue;
         };
         let with = likeliest.iter().map(|k| terms[*k].clone());
-        let model = with.fold(rest.model.clone(), |m, t| m.with_term(t));
-        let next = regression.fit(&model, &rest.shapes);
+        let model = with.fold(reduced.model.clone(), |m, t| m.with_term(t));
+        let next = regression.fit(&model, &reduced.shapes);
         if best
             .as_ref()
             .is_none_or(|b| next.ln_evidence > b.ln_evidence)
@@ -184,18 +184,18 @@ fn at(term: &Term, setting: f64) -> Term {
     }
 }
 
-/// What the orders of a fitted model that are not whole are unsure of.
+/// The uncertainty of the orders of a fitted model that are not whole.
 pub(crate) struct OrderSpread {
     orders: Vec<Term>,
     /// V, and `J⁺D V (J⁺D)ᵀ` of the model's coefficients.
     variance: DMatrix<f64>,
-    carried: DMatrix<f64>,
+    contribution: DMatrix<f64>,
 }
 
 impl OrderSpread {
-    /// `None` where every order is whole, or where the samples do not tell them.
+    /// `None` where every order is whole, or where the samples do not determine them.
     pub(crate) fn of(problem: &Problem, model: &Model) -> Option<Self> {
-        // What a gear ratio says is not fitted.
+        // An order that follows from a gear ratio is not fitted.
         let fitted = |t: &&Term| is_fraction(t) && stated(&model.robot, t).is_none();
         let fractions = model.terms().iter().filter(fitted);
         let orders: Vec<Term> = fractions.cloned().collect();
@@ -229,18 +229,18 @@ impl OrderSpread {
         let share = rows.count() as f64 / problem.rows().max(1) as f64;
         let variance = free.tr_mul(&free).cholesky()?.inverse() * share;
         Some(Self {
-            carried: &along * &variance * along.transpose(),
+            contribution: &along * &variance * along.transpose(),
             variance,
             orders,
         })
     }
 
-    /// Adds to a covariance of the coefficients, which may be followed by others, what the orders carry.
+    /// Adds the uncertainty of the orders to a covariance of the coefficients, which may be followed by others.
     pub(crate) fn add_to(&self, covariance: &mut DMatrix<f64>) {
-        let own = self.carried.nrows();
+        let own = self.contribution.nrows();
         if covariance.nrows() >= own {
             let mut block = covariance.view_mut((0, 0), (own, own));
-            block += &self.carried;
+            block += &self.contribution;
         }
     }
 
@@ -302,7 +302,7 @@ mod tests {
         assert_eq!(settings, [20.0, 21.0, 22.0]);
         assert!(OrderSpread::of(&prepared.problem, &fit.model).is_none());
 
-        // An order that is not whole makes its phase unsure.
+        // An order that is not whole makes its phase uncertain.
         let model = regression
             .base
             .with_term(Term::absent(gear.effect, gear.joint, 21.1));

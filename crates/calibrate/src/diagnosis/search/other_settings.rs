@@ -1,9 +1,9 @@
-//! The same name at another setting that the samples cannot part: at n equal steps of a turn the order k
-//! of a gear is the same samples as n·j ± k, and over equal steps of its travel a screw of one lead the
+//! The same name at another setting that is indistinguishable in the samples (aliasing): at n equal steps of a turn
+//! the order k of a gear gives the same samples as n·j ± k, and over equal steps of its travel a screw of one lead the
 //! same as one of another.
 //!
-//! Nothing is assumed of the steps: every setting of the name is tried in its place, so that nearly equal
-//! steps, half of a turn or several grids at once count as what they are.
+//! Nothing is assumed of the steps: every setting of the name is tried in its place, so that nearly equal steps, half
+//! of a turn or several grids at once are covered.
 
 use crate::diagnosis::evidence::NEIGHBOURS;
 use crate::diagnosis::evidence::{Fit, MOST_SETTINGS, Regression};
@@ -43,11 +43,11 @@ pub(crate) fn open_settings(regression: &Regression, fit: &Fit) -> Vec<Rival> {
 }
 
 fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
-    let rest = regression.without_term(fit, term);
-    let there = regression.added(&rest);
-    let enough = fit.ln_evidence - odds::OPEN.nats() - rest.ln_evidence;
+    let reduced = regression.without_term(fit, term);
+    let there = regression.added(&reduced);
+    let enough = fit.ln_evidence - odds::OPEN.nats() - reduced.ln_evidence;
     let mut close: Vec<(f64, &Term)> = regression
-        .scan(&rest, CandidateSubset::Names)
+        .scan(&reduced, CandidateSubset::Names)
         .iter()
         .filter_map(|score| {
             let other = regression.table.candidates[score.candidate].what.term()?;
@@ -57,7 +57,7 @@ fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
             (near && free && at_another_setting(term, other)).then_some((score.ln_odds, other))
         })
         .collect();
-    // As likely as each other, they stay in the order of their settings.
+    // Where they are equally likely, they stay in the order of their settings.
     let key = |odds: f64| (odds * 1e3).round();
     close.sort_by(|a, b| {
         key(b.0)
@@ -70,7 +70,7 @@ fn of_term(regression: &Regression, fit: &Fit, term: &Term) -> Vec<Rival> {
         .map(|(_, other)| Rival {
             removed: vec![term.clone()],
             instead: vec![other.clone()],
-            fit: regression.fit(&rest.model.with_term(other.clone()), &rest.shapes),
+            fit: regression.fit(&reduced.model.with_term(other.clone()), &reduced.shapes),
         });
     refitted
         .filter(|r| r.fit.ln_evidence > fit.ln_evidence - odds::OPEN.nats())

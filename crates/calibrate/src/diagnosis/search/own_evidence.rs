@@ -1,9 +1,9 @@
-//! Whether the samples speak for a name, or what is known beforehand of the geometry does.
+//! Whether the evidence for a name is in the samples, or only in the priors of the geometry.
 //!
-//! Where few poses show the geometry, the base is held by how far off links, zero offsets and tools usually are.
-//! A robot that is farther off then leaves an error that a name may take up: one that the geometry would take up
-//! as well, were it not held. So every name is tested once more with the geometry known ten times less well. What
-//! is left of it has to be as improbable by chance as before.
+//! Where few poses determine the geometry, the priors hold the base: how far off links, zero offsets and tools usually
+//! are. A robot that is farther off then leaves an error that a name may take up: one that the geometry would take up
+//! as well, were it free. So every name is tested once more with ten times wider priors of the geometry. Its remaining
+//! gain has to be as improbable by chance as before.
 
 use nalgebra::DMatrix;
 
@@ -14,10 +14,10 @@ use crate::effects::Term;
 use crate::linear::Basis;
 use crate::odds;
 
-/// How much less is taken to be known of the geometry: no robot is ten times as far off as others are.
+/// The factor by which the priors of the geometry are widened: no robot is ten times as far off as others are.
 const LESS: f64 = 0.1;
 
-/// The name, of those of a fit, for which the samples themselves speak least, where they do not speak for it.
+/// The name of a fit with the least evidence in the samples themselves, if that is not enough.
 pub(super) fn least_proven(prepared: &PreparedSearch, fit: &Fit) -> Option<Term> {
     let regression = &prepared.regression;
     let priors = regression.prior_rows();
@@ -50,16 +50,16 @@ pub(super) fn least_proven(prepared: &PreparedSearch, fit: &Fit) -> Option<Term>
     for term in fit.model.terms() {
         let size = term.coefficients.len();
         if terms.iter().any(|t| t.same_column(term)) {
-            // −ln p of some columns: of the term alone, and of what is proven together with it.
+            // −ln p of some columns: of the term alone, and of those that are tested together with it.
             let of = |own: &[usize]| {
                 let kept: Vec<usize> = (0..width).filter(|k| !own.contains(k)).collect();
-                let rest: DMatrix<f64> = all.select_columns(&kept);
-                let mut left = residual.clone();
+                let reduced: DMatrix<f64> = all.select_columns(&kept);
+                let mut partial_residual = residual.clone();
                 for k in own {
-                    left.axpy(coefficients[*k], &all.column(*k), 1.0);
+                    partial_residual.axpy(coefficients[*k], &all.column(*k), 1.0);
                 }
-                let basis = Basis::new(&rest);
-                let without = basis.reject(&left).norm_squared();
+                let basis = Basis::new(&reduced);
+                let without = basis.reject(&partial_residual).norm_squared();
                 let share = (1.0 - with / without.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
                 let rank = whole.rank().saturating_sub(basis.rank()).max(1);
                 Significance::new(rank, freedom).of(share)

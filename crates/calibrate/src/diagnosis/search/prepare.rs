@@ -1,4 +1,5 @@
-//! From a session to the regression: samples that count, robust base fit, candidates, noise.
+//! The preparation of a search: from a session to the regression, with the samples that count, a robust base fit,
+//! candidates and noise.
 //!
 //! A long session is searched on an evenly spread part of its samples. Nothing that matters in
 //! practice (0.3 of the noise, root mean square, λ = 45 in 500 samples) can well hide from them; values and
@@ -18,7 +19,7 @@ use crate::diagnosis::evidence::Folds;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::effects::{Over, Survey, Term};
-use crate::fit::gap::{Deviations, deviations, suspects_beside};
+use crate::fit::gap::{Deviations, deviations, suspects_given};
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
@@ -36,7 +37,7 @@ use crate::{odds, rounding};
 
 /// A search that found so many names goes on from them; every two of them are a comparison of as many columns as a fit has.
 pub(crate) const MANY_NAMES: usize = 4;
-/// The search looks at so many samples of a longer session.
+/// Samples that are searched of a longer session.
 const MOST_SAMPLES: usize = 500;
 
 pub(crate) struct PreparedSearch<'a> {
@@ -44,18 +45,18 @@ pub(crate) struct PreparedSearch<'a> {
     pub(crate) problem: Rc<Problem<'a>>,
     /// The base model as `identify` fits it.
     pub(crate) base: Model,
-    /// The samples as it weighs them, and what it knows beforehand: how wide this robot's own priors are.
+    /// The weights of the samples as `identify` chooses them, and the priors: how wide this robot's own are.
     pub(crate) as_identified: Rc<Problem<'a>>,
-    /// The robot as it is drawn, beside the places that its measurements refer to.
+    /// The nominal robot, with the places that its measurements refer to.
     pub(crate) nominal: Model,
     pub(crate) survey: Survey,
     pub(crate) regression: Regression<'a>,
     pub(crate) folds: Folds,
     /// Samples that `--held-out` locks away.
     pub(crate) locked: Vec<bool>,
-    /// What was said of samples that lack a condition.
+    /// The message about samples that lack a condition.
     pub(crate) incomplete: Option<DataProblem>,
-    /// What of the base the samples cannot tell from the rest.
+    /// The parameters of the base that are not identifiable.
     pub(crate) not_identifiable: Vec<NotIdentifiable>,
     options: Options,
     judging: OnceCell<Option<Regression<'a>>>,
@@ -67,7 +68,7 @@ impl<'a> PreparedSearch<'a> {
         Self::of(session, options, incomplete::leave_out)
     }
 
-    /// Without the samples that `leave_out` leaves out.
+    /// Without the samples that `leave_out` excludes.
     pub(crate) fn of(
         session: &'a Session,
         options: &Options,
@@ -90,7 +91,7 @@ impl<'a> PreparedSearch<'a> {
         let fitted = base_model::fit(&mut problem, &start, true);
         let (base, not_identifiable) = (fitted.solution.model, fitted.held);
         let as_identified = Rc::new(problem.clone());
-        // How large its own links are is known of the base alone: beside names they carry less.
+        // The width of its own priors is estimated from the base alone: with names it would be too small.
         problem.priors = problem.priors.of_any_robot();
         let regression = regression(&mut problem, &base, &survey, options);
         let folds = Folds::new(&regression);
@@ -110,9 +111,9 @@ impl<'a> PreparedSearch<'a> {
         })
     }
 
-    /// RMS error of a fit on samples that it has not seen, mm, with the weak priors as wide as this robot's own are: so is
-    /// everything fitted that is handed out. With those of any robot few poses that are close to each other say less of
-    /// others.
+    /// RMS error of a fit on samples that it has not seen, mm, with the weak priors as wide as this robot's own are:
+    /// so is everything fitted that is handed out. With those of any robot few poses that are close to each other
+    /// predict others worse.
     pub(crate) fn unseen_mm(
         &self,
         fit: &Fit,
@@ -148,8 +149,8 @@ impl<'a> PreparedSearch<'a> {
         count >= self.cap()
     }
 
-    /// Whether a search that is done again may begin where the last one ended: of several joints with so many
-    /// names that one more or less, or another noise, leaves the most of them what they are.
+    /// Whether a repeated search may begin where the last one ended: of several joints with so many names that one
+    /// more or less, or another noise, leaves most of them unchanged.
     pub(crate) fn may_go_on(&self, found: &SearchResult) -> bool {
         let names = self.regression.added(&found.fit).len();
         names >= MANY_NAMES && self.regression.base.robot.joints.len() > 1
@@ -166,7 +167,7 @@ impl<'a> PreparedSearch<'a> {
         let rank = found.fit.basis.rank();
         let covariance = || covariance_at(&self.problem, &found.fit.model);
         if let Some(layer) = &mut now.observed {
-            // Beside a shape the observations stay as they were found.
+            // With a shape the observations keep their weights.
             if found.fit.shapes.is_empty() {
                 let before = layer.sigma.clone();
                 judge(layer, &found.fit.model, rank, covariance);
@@ -175,9 +176,9 @@ impl<'a> PreparedSearch<'a> {
             }
         } else {
             let columns = self.table().space.on_all(&self.problem, &found.fit.shapes);
-            let mut left = deviations_beside(&self.problem, &columns, &found.fit);
+            let mut residuals = deviations_with(&self.problem, &columns, &found.fit);
             let model = &found.fit.model;
-            let suspected = suspects_beside(&self.problem, &mut left, model, rank, covariance);
+            let suspected = suspects_given(&self.problem, &mut residuals, model, rank, covariance);
             let kept = self.problem.fit.iter().zip(suspected);
             now.used = kept.map(|(fit, suspected)| *fit && !suspected).collect();
         }
@@ -188,14 +189,14 @@ impl<'a> PreparedSearch<'a> {
         if !same {
             self.problem = Rc::new(now);
         }
-        let noise = noise_beside_many(&self.regression, Some(&found.fit));
+        let noise = noise_given_many(&self.regression, Some(&found.fit));
         if same && noise.whitens_like(&self.regression.noise) {
             return false;
         }
         if same {
             self.regression = self.regression.with_noise(noise);
         } else {
-            // The fits of these samples need no room any more.
+            // The cached fits of these samples are no longer needed.
             self.regression.forget();
             let base = crate::fit::solver::solve(&self.problem, &self.regression.base).model;
             let mut regression = bare_regression(&self.problem, &base, &self.survey, &self.options);
@@ -211,8 +212,8 @@ impl<'a> PreparedSearch<'a> {
         &self.regression.table
     }
 
-    /// The same with the noise that a fit leaves: the null of a test belongs to the model that it
-    /// was made for. The fit is made again under it.
+    /// The same with the noise of the residuals of a fit: the null of a test belongs to the model that it was made
+    /// for. The fit is repeated under it.
     pub(crate) fn settled(&self, fit: &Fit) -> (Self, Fit) {
         let mut now = self.with_noise(noise_of(&self.regression, fit));
         let mut fit = now.refitted(fit);
@@ -227,24 +228,24 @@ impl<'a> PreparedSearch<'a> {
         (now, fit)
     }
 
-    /// The noise that the base alone leaves, where that has a slow part: the rival of every name.
+    /// The noise of the residuals of the base alone, where that has a slow part: the rival of every name.
     pub(crate) fn slow_noise(&self) -> Option<Noise> {
-        self.slow_beside(&self.regression.base)
+        self.slow_noise_given(&self.regression.base)
     }
 
-    /// The noise that is left where the names that follow the time alone are taken out of a fit, and
-    /// that has a slow part: what wanders is seen where the others no longer hide it.
+    /// The noise of the residuals where the names that depend on time alone are taken out of a fit, and that has a
+    /// slow part: a drift shows where the other names no longer hide it.
     pub(crate) fn slow_noise_instead(&self, fit: &Fit) -> Option<Noise> {
         let follows_time = |t: &Term| t.effect.about().over == Over::Time;
         let any = fit.model.terms().iter().any(follows_time);
-        any.then(|| self.slow_beside(&fit.model.without(follows_time)))?
+        any.then(|| self.slow_noise_given(&fit.model.without(follows_time)))?
     }
 
-    fn slow_beside(&self, model: &Model) -> Option<Noise> {
+    fn slow_noise_given(&self, model: &Model) -> Option<Noise> {
         let regression = &self.regression;
         let fit = regression.fit(model, &[]);
         let noise = noise_of(regression, &fit);
-        // A frame that stands elsewhere all the time does not wander.
+        // A constant displacement of the frame is no drift.
         let n = regression.rows.samples.len();
         let mut still = DMatrix::zeros(regression.rows.len(), regression.rows.axes.len());
         for axis in 0..regression.rows.axes.len() {
@@ -290,29 +291,29 @@ fn refitted(regression: &Regression, fit: &Fit) -> Fit {
     regression.fit(&fit.model, &shapes.collect::<Vec<_>>())
 }
 
-/// What a fit with shapes leaves of every sample.
-fn deviations_beside(problem: &Problem, beside: &[[Vec<f64>; 3]], fit: &Fit) -> Deviations {
-    let mut left = deviations(problem, &fit.model);
-    if beside.is_empty() {
-        return left;
+/// The residuals of every sample in a fit with shapes.
+fn deviations_with(problem: &Problem, columns: &[[Vec<f64>; 3]], fit: &Fit) -> Deviations {
+    let mut residuals = deviations(problem, &fit.model);
+    if columns.is_empty() {
+        return residuals;
     }
     let coefficients = fit.shapes.iter().flat_map(|s| s.coefficients.iter());
-    for (column, coefficient) in beside.iter().zip(coefficients) {
+    for (column, coefficient) in columns.iter().zip(coefficients) {
         for (axis, values) in column.iter().enumerate() {
-            for (e, value) in left.axes_mm[axis].iter_mut().zip(values) {
+            for (e, value) in residuals.axes_mm[axis].iter_mut().zip(values) {
                 *e -= coefficient * value;
             }
         }
     }
-    for i in 0..left.length_mm.len() {
-        let square: f64 = left.axes_mm.iter().map(|e| e[i] * e[i]).sum();
-        left.length_mm[i] = square.sqrt();
+    for i in 0..residuals.length_mm.len() {
+        let square: f64 = residuals.axes_mm.iter().map(|e| e[i] * e[i]).sum();
+        residuals.length_mm[i] = square.sqrt();
     }
-    left
+    residuals
 }
 
-/// The regression of a problem, whose outliers are looked for beside many columns at once first: what
-/// the base lacks does not pass for them, and does not hide them.
+/// The regression of a problem. Its outliers are first identified with many columns at once: what the base lacks does
+/// not pass for them, and does not hide them.
 fn regression<'a>(
     problem: &mut Problem<'a>,
     base: &Model,
@@ -322,7 +323,7 @@ fn regression<'a>(
     clusters::keep(problem, base);
     let mut regression = bare_regression(problem, base, survey, options);
     for _ in 0..2 {
-        let suspected = super::robust::suspected_beside_many(problem, &regression, MOST_SAMPLES);
+        let suspected = super::robust::suspected_given_many(problem, &regression, MOST_SAMPLES);
         let before = problem.counted().to_vec();
         let mut now = before.clone();
         for (index, suspected) in suspected {
@@ -337,7 +338,7 @@ fn regression<'a>(
         drop(regression);
         regression = bare_regression(problem, base, survey, options);
     }
-    let noise = noise_beside_many(&regression, None);
+    let noise = noise_given_many(&regression, None);
     regression.with_noise(noise)
 }
 
@@ -361,16 +362,16 @@ fn bare_regression<'a>(
     )
 }
 
-/// Noise beside the base (and what was found) with many candidates at once, so that what has not
-/// been found yet is not taken for noise.
-fn noise_beside_many(regression: &Regression, found: Option<&Fit>) -> Noise {
+/// Noise given the base (and what was found) with many candidates at once, so that what has not been found yet is not
+/// taken for noise.
+fn noise_given_many(regression: &Regression, found: Option<&Fit>) -> Noise {
     let model = found.map_or(&regression.base, |f| &f.model);
     let rich = regression.table.columns.raw_of(&regression.table.rich);
     let shapes = found.iter().flat_map(|f| &f.shapes).map(|s| &*s.raw);
     estimated(regression, model, shapes.chain([&rich]))
 }
 
-/// Noise beside a fit as it is.
+/// Noise of the residuals of a fit as it is.
 fn noise_of(regression: &Regression, fit: &Fit) -> Noise {
     estimated(regression, &fit.model, fit.shapes.iter().map(|s| &*s.raw))
 }
@@ -389,7 +390,7 @@ fn estimated<'m>(
         columns.view_mut((0, at), (m, width)).copy_from(more);
     }
     if regression.rows.observed().is_some() {
-        // Every row is in units of the noise of its kind: one number is left.
+        // Every row is in units of the noise of its kind: one number remains.
         let basis = Basis::new(&columns);
         let freedom = regression.m() - basis.rank() as f64;
         let square = basis.reject(&residual).norm_squared() / freedom.max(1.0);
@@ -433,7 +434,7 @@ fn locked(problem: &Problem, share: Option<f64>) -> Vec<bool> {
         let due = |k: usize| (k as f64 * share + 0.5).floor();
         locked[sample] = due(sector + 1) > due(sector);
     }
-    // Rows of a pose share what the robot did not repeat.
+    // Rows of a pose share the error of repeatability.
     let of_poses: Vec<bool> = poses.first.iter().map(|k| locked[fit[*k]]).collect();
     for (sample, is_locked) in fit.into_iter().zip(poses.to_samples(&of_poses)) {
         locked[sample] = is_locked;
@@ -482,7 +483,7 @@ mod tests {
         assert!(parts(1) == whole && parts(7) == whole);
     }
 
-    /// Values, intervals and how much likelier a name makes the samples, beside scipy's (`tests/reference/fits.py`).
+    /// Values, intervals and log odds of a name compared with scipy's (`tests/reference/fits.py`).
     #[test]
     fn fits_and_how_they_are_compared_are_those_of_scipy() {
         let from_scipy = include_str!("../../../../../tests/reference/fits.json");

@@ -1,4 +1,4 @@
-//! The whole search.
+//! The whole search, step by step.
 
 use crate::effects::{Owner, Term};
 use crate::fit::noise::Noise;
@@ -15,7 +15,7 @@ use crate::diagnosis::evidence::{FIRST_SEARCH, OTHER_SETS, RIVALS, SECOND_SEARCH
 use crate::diagnosis::options::Options;
 use crate::diagnosis::progress::{Cancelled, Progress, Watch};
 
-/// A watcher who is not asked again once the search was stopped, where what is proven until then is wanted.
+/// A watcher who is not asked again once the search was stopped, where the result until then is wanted.
 pub(crate) fn until_stopped<'w>(
     work: &'w Work,
     options: &Options,
@@ -42,11 +42,11 @@ pub(crate) fn checked<'a>(
     if !watch(&Progress::Checking) && !options.keep_when_stopped {
         return Err(Cancelled);
     }
-    Ok(set_up_errors::mended(session, options.joint_values))
+    Ok(set_up_errors::corrected(session, options.joint_values))
 }
 
-/// The whole search, in five steps, of a session made ready ([`prepared`]). A step may be cut short where the work that it may cost is done ([`Work`]) or the
-/// user stops it; what is proven until then is the answer.
+/// The whole search, in five steps, of a prepared session ([`prepared`]). A step may be cut short where its budget is
+/// spent ([`Work`]) or the user stops it; the result until then is the answer.
 pub(crate) fn searched<'a>(
     mut prepared: PreparedSearch<'a>,
     options: &Options,
@@ -55,22 +55,22 @@ pub(crate) fn searched<'a>(
     let work = prepared.regression.work.clone();
     let keep_going = until_stopped(&work, options, watch);
     let watch: Watch = &keep_going;
-    // 1. Forward, swaps, drops and pairs: what noise would not do family-wise and what predicts unseen samples.
+    // 1. Forward, swaps, drops and pairs: what exceeds noise family-wise and predicts unseen samples.
     work.up_to(FIRST_SEARCH);
     let mut found = prepared.search(watch)?;
-    // 2. Again with the names known: outliers and noise look different then.
+    // 2. Again with the names known: outliers and noise are different then.
     work.up_to(SECOND_SEARCH);
     found = search_again(&mut prepared, found, watch)?;
-    // 3. Against a slow part of the noise and against free curves: the likelier end wins.
+    // 3. Compared with a slow part of the noise and with free curves: the likelier end wins.
     work.up_to(RIVALS);
-    (prepared, found) = hold_rivals_against(prepared, found, watch)?;
+    (prepared, found) = compare_with_rivals(prepared, found, watch)?;
     slowest::readings(&prepared, &mut found);
     free_curve::rival(&prepared, &mut found, true);
-    // 4. Each name against the rest, and against other sets that are as likely.
+    // 4. Each name given the others, and compared with other sets that are as likely.
     work.up_to(OTHER_SETS);
     test_at_the_end(&prepared, &mut found, watch)?;
     slowest::readings(&prepared, &mut found);
-    // 5. No name for what few values or poses, the geometry, the rows or the set-up leave.
+    // 5. No name where few values or poses, the geometry, the rows or the set-up are the reason.
     free_curve::withdraw_of_few_values(&prepared, &mut found);
     chosen_again::withdraw(&prepared, &mut found);
     base_misfit::withdraw(&prepared, &mut found);
@@ -116,9 +116,10 @@ fn search_again(
     }
 }
 
-/// What was found against its rivals that are no names. A search that may not go on leaves names unsaid: neither
-/// a slow part of the noise nor a free curve is held against those it has, and the verdict says that something is left.
-fn hold_rivals_against<'a>(
+/// Compares what was found with its rivals that are no names. After a search that was cut short names may be missing:
+/// then neither a slow part of the noise nor a free curve is compared with those it has, and the verdict reports that
+/// something is unexplained.
+fn compare_with_rivals<'a>(
     prepared: PreparedSearch<'a>,
     found: SearchResult,
     watch: Watch,
@@ -128,12 +129,12 @@ fn hold_rivals_against<'a>(
     }
     let work = prepared.regression.work.clone();
     let likelier = against_rivals(&prepared, found, watch)?;
-    // What was held against the end was not left out of it.
+    // What the comparison spent does not count as left out of the search.
     work.begin_again();
     Ok(likelier)
 }
 
-/// Tests the names that are left, once more where one is exchanged, and takes those that can be said.
+/// Tests the remaining names, once more where one is exchanged, and keeps those that can be reported.
 fn test_at_the_end(
     prepared: &PreparedSearch,
     found: &mut SearchResult,
@@ -147,7 +148,7 @@ fn test_at_the_end(
     Ok(())
 }
 
-/// What was found against a slow part of the noise and a free curve: the likeliest of them.
+/// The likeliest of what was found, a slow part of the noise and a free curve.
 fn against_rivals<'a>(
     prepared: &PreparedSearch<'a>,
     mut found: SearchResult,
@@ -165,22 +166,23 @@ fn against_rivals<'a>(
     for noise in white.into_iter().chain(slow).chain(instead) {
         let known = &prepared.regression.noise;
         let (rival, end) = settled_search(prepared.with_noise(noise), known, watch)?;
-        let loser = if standing(&rival, &end) > standing(&prepared, &found) {
-            prepared = rival;
-            std::mem::replace(&mut found, end)
-        } else {
-            end
-        };
+        let loser =
+            if comparable_ln_evidence(&rival, &end) > comparable_ln_evidence(&prepared, &found) {
+                prepared = rival;
+                std::mem::replace(&mut found, end)
+            } else {
+                end
+            };
         others.push(loser.fit);
     }
     let noise = prepared.regression.noise.clone();
     if noise.slow.is_some() {
-        // Of what the slow part holds a curve may explain some, or all: that shows where its values come back.
+        // A curve may explain a part of the slow noise, or all of it: that shows where its values come back.
         let white = prepared.with_noise(noise.made_white());
         if let Some(curve) = free_curve::instead_of_slow(&white, &found, |_| true) {
             (prepared, found) = (white, curve);
         }
-        // Of several joints one has values that come back by accident.
+        // Of several joints one may have values that come back by chance.
         let white = prepared.with_noise(noise.without_slow());
         let single = white.survey.joints.len() == 1;
         let comes_back = |joint: usize| single && free_curve::comes_back(&white, joint);
@@ -194,10 +196,10 @@ fn against_rivals<'a>(
     Ok((prepared, found))
 }
 
-/// How likely an end of a search is beside the others. A step or a drift of the measuring frame is a
-/// movement of the frame as a slow part of the noise is, and no set of equivalent names can hold the
-/// noise: such a name stands unless the noise rules it out.
-fn standing(prepared: &PreparedSearch, end: &SearchResult) -> f64 {
+/// The evidence of an end of a search for comparison with others. A step or a drift of the measuring frame is a
+/// movement of the frame as a slow part of the noise is, and no set of equivalent names can contain the noise: such a
+/// name is kept unless the noise rules it out.
+fn comparable_ln_evidence(prepared: &PreparedSearch, end: &SearchResult) -> f64 {
     let names = prepared.regression.added(&end.fit);
     let of_the_frame = |t: &&Term| t.effect.about().owner == Owner::Session;
     let only = !names.is_empty() && names.iter().all(of_the_frame);
@@ -205,8 +207,8 @@ fn standing(prepared: &PreparedSearch, end: &SearchResult) -> f64 {
     end.fit.ln_evidence + if favour { odds::OPEN.nats() } else { 0.0 }
 }
 
-/// A search whose noise is estimated beside what it finds, until that is the same, or one that was searched
-/// already.
+/// A search whose noise is estimated given what it finds, until the noise no longer changes, or is one that was
+/// searched already.
 fn settled_search<'a>(
     mut prepared: PreparedSearch<'a>,
     searched: &Noise,

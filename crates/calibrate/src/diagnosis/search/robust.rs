@@ -1,11 +1,10 @@
-//! Outliers while the base model is still poor: beside many columns at once whatever is smooth or
-//! periodic is followed, and what stands apart from that is an outlier, not an effect.
+//! Outliers while the base model is still incomplete: with many columns at once whatever is smooth or periodic is
+//! fitted, and what deviates from that is an outlier, not an effect.
 //!
-//! Iteratively reweighted least squares on whole samples: Huber's weights first, then Tukey's
-//! biweight, which redescends to zero (Holland & Welsch 1977). A deviation is divided by the share
-//! of it that a fit leaves. Rows with the same commands weigh as one: eight shots at a pose that was missed are no eighth
-//! of a curve.
-//! What stands apart beside the base comes back where the other poses predict most of it with the many columns,
+//! Iteratively reweighted least squares on whole samples: Huber's weights first, then Tukey's biweight, which
+//! redescends to zero (Holland & Welsch 1977). A residual is divided by its share of the deviation, one minus the
+//! leverage. Rows with the same commands weigh as one: eight shots at a pose that was missed are no eighth of a curve.
+//! An outlier of the base model is used again where the other poses predict most of it with the many columns,
 //!
 //! ```text
 //! |e₋ₚ| < ½ |e of the base|,   e₋ₚ = (1 − A W)⁻¹ e,   A = Qₚ (Qᵀ W Q)⁻¹ Qₚᵀ
@@ -30,7 +29,7 @@ use crate::{fewest, rounding};
 use crate::diagnosis::evidence::Regression;
 
 /// The columns are too many where they are more than this share of the rows. (Derived: the mean leverage is then above
-/// ½, a fit follows most of whatever stands apart, and good poses stand apart from that.)
+/// ½, a fit follows most of any outlier, and good poses deviate from that.)
 const MOST_OF_ROWS: f64 = 0.5;
 
 /// Rounds of each kind of weights.
@@ -39,8 +38,8 @@ const ROUNDS: [usize; 2] = [3, 6];
 /// (Holland & Welsch 1977 for the weights.)
 const TUNING: [f64; 2] = [2.8, 5.5];
 
-/// Samples that were looked at, and whether they are suspected.
-pub(crate) fn suspected_beside_many(
+/// The samples of the regression, and whether they are suspected.
+pub(crate) fn suspected_given_many(
     problem: &Problem,
     regression: &Regression,
     most: usize,
@@ -73,19 +72,19 @@ pub(crate) fn suspected_beside_many(
         return Vec::new();
     }
     let mut weights = vec![1.0; n];
-    let mut left = residual.clone();
+    let mut residuals = residual.clone();
     for (stage, rounds) in ROUNDS.into_iter().enumerate() {
         for _ in 0..rounds {
             let Some(fitted) = weighted(&q, &residual, [&weights, &share], axes) else {
                 return Vec::new();
             };
             let kept = fitted.kept;
-            left = fitted.left;
+            residuals = fitted.residuals;
             let lengths: Vec<f64> = (0..n)
                 .map(|i| {
                     let squares = (0..axes).map(|a| {
                         let row = a * n + i;
-                        left[row] * left[row] / kept[row]
+                        residuals[row] * residuals[row] / kept[row]
                     });
                     squares.sum::<f64>().sqrt() * as_of_three(&rows, i)
                 })
@@ -117,7 +116,7 @@ pub(crate) fn suspected_beside_many(
     let deviations: Vec<Vec<f64>> = (0..axes)
         .map(|a| {
             (0..n)
-                .map(|i| left[a * n + i] / kept[a * n + i].sqrt())
+                .map(|i| residuals[a * n + i] / kept[a * n + i].sqrt())
                 .collect()
         })
         .collect();
@@ -138,7 +137,7 @@ pub(crate) fn suspected_beside_many(
     with(&rows, marked, &condemned)
 }
 
-/// Rows that say something of their own: those of a pose tell no more than where one body is.
+/// The number of independent rows: those of a pose show no more than where one body is.
 fn independent_rows(rows: &Rows, places: &ByPose) -> usize {
     let own = |i: usize| {
         let observed = rows.observed();
@@ -148,7 +147,7 @@ fn independent_rows(rows: &Rows, places: &ByPose) -> usize {
     places.samples().into_iter().map(of_pose).sum()
 }
 
-/// What was marked, by sample, and what was not acquitted.
+/// The samples, with the marked ones and those that stay marked.
 fn with(rows: &Rows, marked: Vec<bool>, condemned: &BTreeSet<usize>) -> Vec<(usize, bool)> {
     let marked = marked.into_iter().enumerate();
     let marked = marked.map(|(i, marked)| (rows.samples[i], marked || condemned.contains(&i)));
@@ -178,10 +177,10 @@ fn not_acquitted(
         for k in 0..own_rows.len() {
             kept[(k, k)] += 1.0;
         }
-        let e = fitted.left.select_rows(&own_rows);
+        let e = fitted.residuals.select_rows(&own_rows);
         let others = kept.lu().solve(&e);
         let half = 0.5 * of_base.select_rows(&own_rows).norm();
-        if !others.is_some_and(|left| left.norm() < half) {
+        if !others.is_some_and(|residuals| residuals.norm() < half) {
             condemned.extend(own.iter().copied().filter(&is_suspect));
         }
     }
@@ -199,9 +198,9 @@ fn as_of_three(rows: &Rows, observation: usize) -> f64 {
 
 /// A weighted fit.
 struct Weighted {
-    /// What it leaves.
-    left: DVector<f64>,
-    /// Of each row the variance that it leaves of the noise.
+    /// The residuals.
+    residuals: DVector<f64>,
+    /// Of each row the share of the noise variance in its residual.
     kept: Vec<f64>,
     /// `L⁻¹ Qᵀ`, where `L Lᵀ = Qᵀ W Q`.
     spread: DMatrix<f64>,
@@ -229,13 +228,13 @@ fn weighted(
     }
     let factor = gram.cholesky()?;
     let step = factor.solve(&scaled.tr_mul(residual));
-    let left = residual - q * step;
+    let residuals = residual - q * step;
     let spread = solve_lower(factor.l_dirty(), q.transpose());
     let kept = (0..axes * n)
         .map(|row| {
             let leverage = spread.column(row).norm_squared();
             let w = weights[row % n];
-            // In the fit a row pulls it towards itself; outside of it the fit's own error adds.
+            // In the fit a row pulls it towards itself; at an unfitted row the fit's own error adds.
             (1.0 - 2.0 * w * leverage + leverage * w)
                 .clamp(0.1, 1.0)
                 .max(if w < 1e-3 {
@@ -245,5 +244,9 @@ fn weighted(
                 })
         })
         .collect();
-    Some(Weighted { left, kept, spread })
+    Some(Weighted {
+        residuals,
+        kept,
+        spread,
+    })
 }

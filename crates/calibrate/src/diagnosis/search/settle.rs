@@ -1,5 +1,5 @@
-//! What settles a fit after a step: terms are exchanged for those that do better in their place, what is not needed is
-//! dropped, one or two go for one or two others, until nothing changes.
+//! Settles a fit after a step: terms are exchanged for better ones, what is not needed is dropped, one or two are
+//! replaced by one or two others, until nothing changes.
 
 use std::rc::Rc;
 
@@ -9,21 +9,21 @@ use crate::diagnosis::Cancelled;
 use crate::diagnosis::candidates::Placed;
 use crate::diagnosis::candidates::table::Candidate;
 use crate::diagnosis::evidence::Fit;
+use crate::diagnosis::evidence::{Projections, ReducedFit};
 use crate::diagnosis::evidence::{Score, by_odds};
-use crate::diagnosis::evidence::{Surroundings, Without};
 use crate::effects::{Over, Term};
 use crate::model::shapes::Variable;
 use crate::odds;
 
 /// So far off may log-odds be that are known to first order …
 const FIRST_ORDER: f64 = 2.0;
-/// … and a fall of the sum of squares is at least this share of what it is to first order.
+/// … and the sum of squares falls by at least this share of the first-order gain.
 const SURELY: f64 = 0.8;
-/// Log-odds by which a term has to be needed beside the others.
+/// Log-odds by which a term has to be needed given the others.
 /// Calibrated, as the two below (`hidden_effects unknown`, `strange`).
 pub(crate) const NEEDED: f64 = 1.0;
-/// Beside a shape a name has to be needed clearly, or it only mends the shape's edges …
-const NEEDED_BESIDE_A_SHAPE: f64 = 5.0;
+/// With a shape a name has to be needed clearly, or it only corrects the shape's edges …
+const NEEDED_WITH_A_SHAPE: f64 = 5.0;
 /// … and more so where both follow the value of the same joint: what is unknown there may have any
 /// form, and most of it looks like some name.
 const MIN_LOG_ODDS_SAME_VARIABLE: f64 = 15.0;
@@ -40,7 +40,7 @@ pub(crate) fn needed(fit: &Fit, term: &Term) -> f64 {
     } else if fit.shapes.is_empty() {
         NEEDED
     } else {
-        NEEDED_BESIDE_A_SHAPE
+        NEEDED_WITH_A_SHAPE
     }
 }
 
@@ -60,8 +60,8 @@ impl Search<'_, '_> {
         fit
     }
 
-    /// Exchanges each term or shape for the candidate that does best in its place. What could not come near by
-    /// the table beside the whole fit is not tried.
+    /// Exchanges each term or shape for the best candidate in its place. Candidates that could not come close by the
+    /// first-order table of the whole fit are not tried.
     fn swap(&self, fit: Fit, allow: Additions) -> Fit {
         let mut fit = fit;
         if self.count(&fit) < 2 && fit.shapes.is_empty() {
@@ -79,8 +79,8 @@ impl Search<'_, '_> {
             if scores.is_empty() {
                 continue;
             }
-            let rest = self.regression.without_term(&fit, &term);
-            if let Some(better) = self.best_beside(&rest, scores, allow, fit.ln_evidence) {
+            let reduced = self.regression.without_term(&fit, &term);
+            if let Some(better) = self.best_addition(&reduced, scores, allow, fit.ln_evidence) {
                 (fit, around) = (better, None);
             }
         }
@@ -90,8 +90,8 @@ impl Search<'_, '_> {
             if scores.is_empty() {
                 continue;
             }
-            let rest = self.regression.without_shape(&fit, index);
-            if let Some(better) = self.best_beside(&rest, scores, allow, fit.ln_evidence) {
+            let reduced = self.regression.without_shape(&fit, index);
+            if let Some(better) = self.best_addition(&reduced, scores, allow, fit.ln_evidence) {
                 (fit, around) = (better, None);
             }
         }
@@ -102,8 +102,8 @@ impl Search<'_, '_> {
     fn near(
         &self,
         fit: &Fit,
-        without: Option<Without>,
-        around: &mut Option<Rc<Surroundings>>,
+        without: Option<ReducedFit>,
+        around: &mut Option<Rc<Projections>>,
         allow: Additions,
         is_own: impl Fn(&Candidate) -> bool,
     ) -> Vec<Score> {
@@ -111,7 +111,7 @@ impl Search<'_, '_> {
         let Some(without) = without else {
             return Vec::new();
         };
-        let around = around.get_or_insert_with(|| regression.surroundings(fit, allow.among()));
+        let around = around.get_or_insert_with(|| regression.projections(fit, allow.among()));
         let scores = regression.scan_without(around, &without);
         let enough = fit.ln_evidence - odds::OPEN.nats() - FIRST_ORDER - without.ln_evidence;
         let candidates = &regression.table.candidates;
@@ -119,18 +119,18 @@ impl Search<'_, '_> {
         scores.into_iter().filter(other).collect()
     }
 
-    fn best_beside(
+    fn best_addition(
         &self,
-        rest: &Fit,
+        reduced: &Fit,
         mut scores: Vec<Score>,
         allow: Additions,
         than: f64,
     ) -> Option<Fit> {
-        scores.retain(|s| rest.ln_evidence + s.ln_odds > than - odds::OPEN.nats() - FIRST_ORDER);
-        self.retain_compatible(rest, allow, &mut scores);
+        scores.retain(|s| reduced.ln_evidence + s.ln_odds > than - odds::OPEN.nats() - FIRST_ORDER);
+        self.retain_compatible(reduced, allow, &mut scores);
         by_odds(&mut scores);
         let mut best: Option<Fit> = None;
-        for (_, next) in self.possible(rest, scores.iter()).take(3) {
+        for (_, next) in self.possible(reduced, scores.iter()).take(3) {
             let so_far = best.as_ref().map_or(than, |b| b.ln_evidence);
             if next.ln_evidence > so_far + 1e-3 {
                 best = Some(next);
@@ -139,25 +139,25 @@ impl Search<'_, '_> {
         best
     }
 
-    /// Drops what is no longer needed beside the others.
+    /// Drops what is no longer needed given the others.
     fn drop(&self, fit: Fit) -> Fit {
         let mut fit = fit;
         loop {
             let mut best: Option<Fit> = None;
-            let mut consider = |rest: Fit, needed: f64| {
-                let lost = fit.ln_evidence - rest.ln_evidence;
-                let gain = rest.rss - fit.rss;
+            let mut consider = |reduced: Fit, needed: f64| {
+                let lost = fit.ln_evidence - reduced.ln_evidence;
+                let gain = reduced.rss - fit.rss;
                 if lost < needed || !self.matters(gain, &fit) {
                     let so_far = best.as_ref().map_or(f64::NEG_INFINITY, |b| b.ln_evidence);
-                    if rest.ln_evidence > so_far {
-                        best = Some(rest);
+                    if reduced.ln_evidence > so_far {
+                        best = Some(reduced);
                     }
                 }
             };
-            let clear = |without: Option<Without>, needed: f64| {
-                without.is_some_and(|rest| {
-                    fit.ln_evidence - rest.ln_evidence > needed + FIRST_ORDER
-                        && self.matters(SURELY * (rest.rss - fit.rss), &fit)
+            let clear = |without: Option<ReducedFit>, needed: f64| {
+                without.is_some_and(|reduced| {
+                    fit.ln_evidence - reduced.ln_evidence > needed + FIRST_ORDER
+                        && self.matters(SURELY * (reduced.rss - fit.rss), &fit)
                 })
             };
             for term in self.regression.added(&fit) {
@@ -172,7 +172,7 @@ impl Search<'_, '_> {
                 }
             }
             match best {
-                Some(rest) => fit = rest,
+                Some(reduced) => fit = reduced,
                 None => return fit,
             }
         }
@@ -182,7 +182,7 @@ impl Search<'_, '_> {
     pub(super) fn pairs(&self, fit: Fit) -> Result<Fit, Cancelled> {
         let mut fit = fit;
         for _ in 0..3 {
-            self.tell_found(&fit)?;
+            self.report_found(&fit)?;
             if self.regression.work.is_over() {
                 break;
             }

@@ -1,12 +1,12 @@
-//! The slowest reading of a wave: over equal steps a wave is the same samples as slower ones and quicker ones,
+//! The slowest alias of a wave: over equal steps a wave gives the same samples as slower ones and quicker ones,
 //!
 //! ```text
 //! f' = |f − n/h|   (f in waves per rad or mm, h the step, n whole)
 //! ```
 //!
-//! (Nyquist: nothing quicker than half a wave a step can be told from a slower one.) Between the steps they are
-//! different, and a table has to follow one: the slowest, which is wrong by the least where it is wrong. Where the
-//! name has no such setting it is withdrawn, and a curve over the joint stands in its place.
+//! (Nyquist: nothing quicker than half a wave a step can be distinguished from a slower one.) Between the steps they
+//! differ, and a table has to follow one: the slowest, whose error is the smallest where it is wrong. Where the name
+//! has no such setting it is withdrawn, and a curve over the joint takes its place.
 
 use std::f64::consts::TAU;
 
@@ -32,18 +32,23 @@ pub(crate) fn readings(prepared: &PreparedSearch, found: &mut SearchResult) {
         let Some(slower) = Slower::than(regression, &term) else {
             continue;
         };
-        let rest = regression.without_term(&found.fit, &term);
-        let free = |other: &Term| !regression.added(&rest).iter().any(|t| t.same_column(other));
+        let reduced = regression.without_term(&found.fit, &term);
+        let free = |other: &Term| {
+            !regression
+                .added(&reduced)
+                .iter()
+                .any(|t| t.same_column(other))
+        };
         if let Some(other) = slower.as_name(regression, &term).filter(|o| free(o)) {
-            let other = regression.refined_order(&rest, &other);
-            let model = rest.model.with_term(other);
-            let fit = regression.fit(&model, &rest.shapes);
+            let other = regression.refined_order(&reduced, &other);
+            let model = reduced.model.with_term(other);
+            let fit = regression.fit(&model, &reduced.shapes);
             if fit.ln_evidence > found.fit.ln_evidence - odds::OPEN.nats() {
                 found.fit = fit;
             }
             continue;
         }
-        let fit = slower.as_shape(regression, &rest, &term);
+        let fit = slower.as_shape(regression, &reduced, &term);
         // The steps are nearly equal, and part the readings.
         let same = 0.5 * regression.m() * (fit.rss / found.fit.rss.max(f64::MIN_POSITIVE)).ln();
         if same < odds::OPEN.nats() {
@@ -99,7 +104,7 @@ impl Slower {
     }
 
     /// A wave without a name.
-    fn as_shape(&self, regression: &Regression, rest: &Fit, term: &Term) -> Fit {
+    fn as_shape(&self, regression: &Regression, reduced: &Fit, term: &Term) -> Fit {
         let placed = regression.placed(Shape {
             variable: Variable::Joint(term.joint),
             direction: Direction::Tangential(term.joint),
@@ -109,7 +114,7 @@ impl Slower {
             },
             tried: 1.0,
         });
-        let shapes = rest.shapes.iter().cloned().chain([placed]);
-        regression.fit(&rest.model, &shapes.collect::<Vec<_>>())
+        let shapes = reduced.shapes.iter().cloned().chain([placed]);
+        regression.fit(&reduced.model, &shapes.collect::<Vec<_>>())
     }
 }

@@ -1,4 +1,4 @@
-//! What each effect adds, in the order of what it adds, with its evidence in numbers and words.
+//! The gain of each effect, in the order in which they are added, with its evidence in numbers and words.
 
 use nalgebra::DMatrix;
 
@@ -13,7 +13,7 @@ use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::linear::{Basis, reject_all};
 
-/// One effect more, in the order of what each adds.
+/// One effect more, in the order of their gains.
 pub(crate) struct Step {
     pub(crate) term: Term,
     pub(crate) gap_mm: [f64; 2],
@@ -24,7 +24,7 @@ pub(crate) struct Step {
 
 pub(crate) fn steps(prepared: &PreparedSearch, base: &Fit, fit: &Fit) -> Vec<Step> {
     let regression = &prepared.regression;
-    let mut left: Vec<Term> = regression.added(fit).into_iter().cloned().collect();
+    let mut remaining: Vec<Term> = regression.added(fit).into_iter().cloned().collect();
     let mut now = regression.fit(&base.model, &fit.shapes);
     let unseen_of = |fit: &Fit| {
         let unseen = prepared.folds.unseen(regression, fit);
@@ -42,39 +42,38 @@ pub(crate) fn steps(prepared: &PreparedSearch, base: &Fit, fit: &Fit) -> Vec<Ste
     let mut steps = Vec::new();
     let (raw, columns) = regression.raw(&fit.model);
     let (_, white) = regression.whitened(&fit.model, &raw, columns);
-    while !left.is_empty() {
+    while !remaining.is_empty() {
         let with = |index: usize| {
-            let term = &left[index];
+            let term = &remaining[index];
             let absent = Term::absent(term.effect, term.joint, term.setting);
             regression.fit(&now.model.with_term(absent), &now.shapes)
         };
-        let fits = likeliest(regression, (fit, &white), &now, &left);
+        let fits = likeliest(regression, (fit, &white), &now, &remaining);
         let fits = fits.into_iter().map(|index| (index, with(index)));
         let best = fits.max_by(|a, b| a.1.ln_evidence.total_cmp(&b.1.ln_evidence));
         let Some((index, next)) = best else { break };
         let seen = unseen_of(&next);
-        let says = prepared.folds.predict_poses;
+        let enough = prepared.folds.predict_poses;
         steps.push(Step {
-            term: left.remove(index),
+            term: remaining.remove(index),
             gap_mm: [gap(&now), gap(&next)],
-            held_out_mm: says.then_some([unseen.0, seen.0]),
-            held_out: says.then_some([unseen.1, seen.1]),
+            held_out_mm: enough.then_some([unseen.0, seen.0]),
+            held_out: enough.then_some([unseen.1, seen.1]),
         });
         (now, unseen) = (next, seen);
     }
     steps
 }
 
-/// Places of the terms that may be the likeliest beside a fit with the fewer of them, by their columns in the fit
-/// with all.
+/// Indices of the terms that may be the likeliest to add to the reduced fit, by their columns in the full fit.
 fn likeliest(
     regression: &Regression,
     (all, white): (&Fit, &DMatrix<f64>),
     now: &Fit,
-    left: &[Term],
+    remaining: &[Term],
 ) -> Vec<usize> {
-    let mut places: Vec<usize> = (0..left.len()).collect();
-    if left.len() <= budget::LIKELIEST {
+    let mut places: Vec<usize> = (0..remaining.len()).collect();
+    if remaining.len() <= budget::LIKELIEST {
         return places;
     }
     let worth = |term: &Term| {
@@ -87,7 +86,7 @@ fn likeliest(
                 let basis = Basis::new(&free);
                 let gain = basis.q.tr_mul(&now.residual).norm_squared();
                 let share = (gain / now.rss.max(1e-300)).min(1.0 - 1e-12);
-                // Of a vector the components that are not there are spared.
+                // Components of a vector that are zero have no penalty.
                 let rank = basis.rank().min(2) as f64;
                 return -0.5 * regression.m() * (-share).ln_1p()
                     - 0.5 * rank * regression.m().ln()
@@ -97,7 +96,7 @@ fn likeliest(
         }
         f64::NEG_INFINITY
     };
-    let worths: Vec<f64> = left.iter().map(worth).collect();
+    let worths: Vec<f64> = remaining.iter().map(worth).collect();
     places.sort_by(|a, b| worths[*b].total_cmp(&worths[*a]).then(a.cmp(b)));
     places.truncate(budget::LIKELIEST);
     places.sort_unstable();
@@ -107,14 +106,14 @@ fn likeliest(
 /// The likeliest other name in the place of one.
 pub(crate) struct Next {
     pub(crate) term: Term,
-    /// Logarithm of how much likelier the rest is with it.
+    /// Logarithm of how much likelier the reduced fit is with it.
     pub(crate) ln_odds: f64,
-    /// The rest with it, where it is close.
+    /// The reduced fit with it, where it is close.
     pub(crate) fit: Option<Fit>,
 }
 
 impl Next {
-    /// The likeliest that is compatible with the rest.
+    /// The likeliest that is compatible with the other terms.
     pub(crate) fn than(
         prepared: &PreparedSearch,
         fit: &Fit,
@@ -123,14 +122,14 @@ impl Next {
     ) -> Option<Self> {
         let regression = &prepared.regression;
         let about = term.effect.about();
-        let there = regression.added(&worth.rest);
-        // By the table beside the whole fit; what comes close is refitted.
+        let there = regression.added(&worth.reduced);
+        // By the first-order table of the whole fit; what comes close is refitted.
         let scores = match regression.without(fit, term) {
-            Some(rest) => {
-                let around = regression.surroundings(fit, CandidateSubset::Names);
-                regression.scan_without(&around, &rest)
+            Some(reduced) => {
+                let around = regression.projections(fit, CandidateSubset::Names);
+                regression.scan_without(&around, &reduced)
             }
-            None => regression.scan(&worth.rest, CandidateSubset::Names),
+            None => regression.scan(&worth.reduced, CandidateSubset::Names),
         };
         let others = scores.iter().filter_map(|score| {
             let other = regression.table.candidates[score.candidate].what.term()?;
@@ -141,14 +140,14 @@ impl Next {
         let (ln_odds, other) = others.max_by(|a, b| a.0.total_cmp(&b.0))?;
         // Where it is close it is refitted, as the name itself was.
         let fit = (worth.ln_odds - ln_odds < odds::TAKEN.nats()).then(|| {
-            let model = worth.rest.model.with_term(other.clone());
-            regression.fit(&model, &worth.rest.shapes)
+            let model = worth.reduced.model.with_term(other.clone());
+            regression.fit(&model, &worth.reduced.shapes)
         });
         Some(Self {
             term: other.clone(),
             ln_odds: fit
                 .as_ref()
-                .map_or(ln_odds, |f| f.ln_evidence - worth.rest.ln_evidence),
+                .map_or(ln_odds, |f| f.ln_evidence - worth.reduced.ln_evidence),
             fit,
         })
     }

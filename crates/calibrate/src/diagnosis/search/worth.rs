@@ -1,4 +1,4 @@
-//! What a name is worth beside the other names of a fit.
+//! The significance and the odds of a name given the other names of a fit.
 
 use crate::effects::Term;
 
@@ -6,27 +6,27 @@ use super::prepare::PreparedSearch;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Significance;
 
-/// What one term is worth beside the others.
+/// The significance and the odds of one term given the others.
 #[derive(Debug, Clone)]
 pub(crate) struct Worth {
     /// The fit without it.
-    pub(crate) rest: Fit,
+    pub(crate) reduced: Fit,
     /// −ln p on the scale of the family-wise test.
     pub(crate) minus_ln_p: f64,
     /// Logarithm of how much likelier the fit is with it.
     pub(crate) ln_odds: f64,
 }
 
-/// What a term is worth beside the others of a fit.
+/// The significance and the odds of a term given the others of a fit.
 pub(crate) fn worth(prepared: &PreparedSearch, fit: &Fit, term: &Term) -> Worth {
     let regression = &prepared.regression;
-    let rest = regression.without_term(fit, term);
-    let rank = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
+    let reduced = regression.without_term(fit, term);
+    let rank = fit.basis.rank().saturating_sub(reduced.basis.rank()).max(1);
     let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);
-    let share = ((rest.rss - fit.rss) / rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
+    let share = ((reduced.rss - fit.rss) / reduced.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
     let tried = regression.price_of_term(term);
     let mut minus_ln_p = Significance::new(rank, freedom).of(share) - 0.5 * tried;
-    // Orders of one gear that are there together are no chance if all of them are none.
+    // Orders of one gear are tested together: that none of them exists is one null hypothesis.
     let together = regression.together(fit, term);
     if together.len() > 1 {
         let gone = |t: &Term| together.iter().any(|own| own.same_column(t));
@@ -37,7 +37,7 @@ pub(crate) fn worth(prepared: &PreparedSearch, fit: &Fit, term: &Term) -> Worth 
     }
     Worth {
         minus_ln_p,
-        ln_odds: fit.ln_evidence - rest.ln_evidence,
-        rest,
+        ln_odds: fit.ln_evidence - reduced.ln_evidence,
+        reduced,
     }
 }

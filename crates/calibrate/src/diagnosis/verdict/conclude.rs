@@ -1,5 +1,4 @@
-//! From where the search ended to the answer: refits on all samples, and the evidence of every
-//! step put together.
+//! From the end of the search to the answer: refits on all samples, and the evidence of every step.
 
 use crate::effects::{JointValues, Term, called};
 use crate::fit::base_model;
@@ -33,7 +32,7 @@ use crate::set_up_errors::CorrectedSession;
 
 /// The answer of the end of a search.
 pub(crate) fn answer(
-    mended: &CorrectedSession,
+    corrected: &CorrectedSession,
     prepared: &PreparedSearch,
     end: &SearchEnd,
     planner: Planner,
@@ -45,7 +44,7 @@ pub(crate) fn answer(
             .ok_or(DiagnoseError::Cancelled)
     };
     go_on(Progress::Comparing)?;
-    let (session, regression) = (&mended.session, &prepared.regression);
+    let (session, regression) = (&corrected.session, &prepared.regression);
     let named = Named::of(prepared, end);
     let floor = floor(prepared, &named.handed_out);
     let figures = &named.figures;
@@ -56,20 +55,19 @@ pub(crate) fn answer(
     let mut next_poses = proposal.poses.clone();
     to_raw(&mut next_poses, &set_up, &session.robot);
     let found = found(prepared, &end.fit, &named.steps, &floor, &named.values);
-    let mut left = unexplained(prepared, end, session);
+    let mut unexplained = unexplained(prepared, end, session);
     judgement::judge(
         prepared,
         end,
         &named.judged,
         &floor,
         &figures.held_out,
-        &mut left,
+        &mut unexplained,
     );
-    tell_what_is_open(prepared, &named.dropped, &mut left);
-    // What predicts without a name joins the model once everything is said of the names, whose fits need no room
-    // any more.
+    report_open_questions(prepared, &named.dropped, &mut unexplained);
+    // What predicts without a name joins the model once the names are evaluated; their fits are then freed.
     regression.forget();
-    let with = Predicting::with(prepared, &named, found.len(), &left);
+    let with = Predicting::with(prepared, &named, found.len(), &unexplained);
     let mut identification = identification(prepared, &named.alone, &with.values);
     let outliers = &mut identification.outliers;
     // In ascending order.
@@ -80,17 +78,17 @@ pub(crate) fn answer(
         &floor,
         &with.figures.gap,
         &identification,
-        &mended.problems,
+        &corrected.problems,
     );
     if let Some(why) = gross {
-        tell_gross(why, with.figures.gap.end_mm, &mut left);
+        report_gross_error(why, with.figures.gap.end_mm, &mut unexplained);
     }
     Ok(Diagnosis {
         session: session.name.clone(),
         samples: session.samples.len(),
-        verdict: judgement::of(found.is_empty(), left.present),
+        verdict: judgement::of(found.is_empty(), unexplained.present),
         data_problems: [
-            &*mended.problems,
+            &*corrected.problems,
             prepared.incomplete.as_slice(),
             open.equal_steps.as_slice(),
             identification.many_set_aside().as_slice(),
@@ -100,7 +98,7 @@ pub(crate) fn answer(
         stopped: regression.work.ended(),
         floor,
         equivalent: equivalents(&open.rivals, &end.fit, &proposal, |t| named.is_dropped(t)),
-        unexplained: left,
+        unexplained,
         not_testable: open.not_testable,
         not_found: limits::limits(regression, &end.fit),
         outliers: identification.outliers.clone(),
@@ -121,18 +119,18 @@ pub(crate) fn answer(
     })
 }
 
-/// An error that no noise is so large as is unexplained, whatever the floor says.
-fn tell_gross(why: Text, end_mm: f64, left: &mut Unexplained) {
-    if !left.present {
-        left.present = true;
-        left.place = None;
-        left.rms_mm = end_mm;
+/// An error larger than any noise is unexplained, whatever the floor.
+fn report_gross_error(why: Text, end_mm: f64, unexplained: &mut Unexplained) {
+    if !unexplained.present {
+        unexplained.present = true;
+        unexplained.place = None;
+        unexplained.rms_mm = end_mm;
     }
-    left.description = behind(why, std::mem::take(&mut left.description));
+    unexplained.description = behind(why, std::mem::take(&mut unexplained.description));
 }
 
-/// The noise as it is said. Of several kinds of measurement the search knows one number, which stands for σ of
-/// each; in mm it is what lengths are left with.
+/// The noise as reported. Of several kinds of measurement the search knows one number, which replaces σ of each; in mm
+/// it is the RMS residual of lengths.
 fn noise_of(prepared: &PreparedSearch, values: &Values) -> Noise {
     let regression = &prepared.regression;
     let own = values.problem.noise.clone();
@@ -145,10 +143,14 @@ fn noise_of(prepared: &PreparedSearch, values: &Values) -> Noise {
     noise.scaled(found_mm / searched_mm.max(f64::MIN_POSITIVE))
 }
 
-/// Says which names were found and are not handed out, and that the search was stopped.
-fn tell_what_is_open(prepared: &PreparedSearch, dropped: &[Term], unexplained: &mut Unexplained) {
+/// Reports which names were found and are not handed out, and that the search was stopped.
+fn report_open_questions(
+    prepared: &PreparedSearch,
+    dropped: &[Term],
+    unexplained: &mut Unexplained,
+) {
     if !dropped.is_empty() {
-        tell_dropped(unexplained, dropped, prepared.problem.session);
+        report_dropped(unexplained, dropped, prepared.problem.session);
     }
     if let Some(why) = prepared.regression.work.ended() {
         unexplained.present = true;
@@ -157,11 +159,11 @@ fn tell_what_is_open(prepared: &PreparedSearch, dropped: &[Term], unexplained: &
     }
 }
 
-/// What is handed out, as `identify` would say it.
+/// The model that is handed out, in the form of `identify`.
 fn identification(prepared: &PreparedSearch, fit: &Fit, own: &Values) -> Identification {
     let held = prepared.not_identifiable.clone();
     let mut identification = own.identification(&prepared.nominal, held);
-    tell_unseen(prepared, fit, &mut identification.kinds);
+    add_unseen_errors(prepared, fit, &mut identification.kinds);
     if base_model::is_arm(own.problem.session) {
         let covariance = own.covariance.as_ref();
         identification.expected = covariance
@@ -170,8 +172,8 @@ fn identification(prepared: &PreparedSearch, fit: &Fit, own: &Values) -> Identif
     identification
 }
 
-/// Puts beside the errors of every kind those that no fit has seen.
-fn tell_unseen(prepared: &PreparedSearch, fit: &Fit, kinds: &mut [KindFigures]) {
+/// Adds the errors on unseen samples to those of every kind.
+fn add_unseen_errors(prepared: &PreparedSearch, fit: &Fit, kinds: &mut [KindFigures]) {
     let regression = &prepared.regression;
     let Some(rows) = regression.rows.observed() else {
         return;
@@ -198,23 +200,23 @@ fn set_up(session: &Session, joint_values: JointValues) -> SetUp {
     SetUp::new(made.chain(read))
 }
 
-/// Says which names were found and are not handed out.
-fn tell_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Session) {
+/// Reports which names were found and are not handed out.
+fn report_dropped(unexplained: &mut Unexplained, dropped: &[Term], session: &Session) {
     let names: Vec<String> = dropped
         .iter()
         .map(|term| term.name_on(&session.robot))
         .collect();
-    let says = text!(
+    let clause = text!(
         "the RMS error of the samples, fitted or cross-validated, is no smaller with {effects}, or what it does runs away over the joint ranges: not handed out",
         effects = Text::listed(names.iter().map(|name| called(name)), ", ")
     );
-    unexplained.description = behind(says, std::mem::take(&mut unexplained.description));
+    unexplained.description = behind(clause, std::mem::take(&mut unexplained.description));
     unexplained.present = true;
     unexplained.p = unexplained.p.min(odds::TAKEN.chance());
     unexplained.resembles.extend(names);
 }
 
-/// A clause, and what was said before it behind it.
+/// A clause in front of those before it.
 fn behind(clause: Text, before: Text) -> Text {
     if before.is_empty() {
         clause

@@ -1,6 +1,6 @@
-//! Terms that cancel each other where the robot was measured and run away elsewhere: two sags of many
-//! millimetres whose difference is what the samples show. Such a model is right at every sample and wrong
-//! at home.
+//! Divergent terms: terms that cancel each other where the robot was measured and run away elsewhere, such as two sags
+//! of many millimetres whose difference is what the samples show. Such a model is right at every sample and wrong at
+//! home.
 //!
 //! ```text
 //! d   = p(all) − p(none)       what the names do together, mm
@@ -20,8 +20,8 @@ use crate::{budget, thresholds};
 /// A model whose names do that at the samples, while their sum is far elsewhere, is not right there.
 const CANCEL: f64 = 3.0;
 
-/// How far the names of a model of several joints lead over the joint ranges, and at the samples, mm, where
-/// they run away; `None` where they do not.
+/// The largest joint effect of the names of a model of several joints over the joint ranges, and at the samples, mm,
+/// where they run away; `None` where they do not.
 pub(crate) fn runs_away(problem: &Problem, model: &Model) -> Option<[f64; 2]> {
     if model.robot.joints.len() < 2 || problem.used.is_empty() {
         return None;
@@ -39,7 +39,7 @@ pub(crate) fn runs_away(problem: &Problem, model: &Model) -> Option<[f64; 2]> {
     (most > thresholds::FAR * here.largest_mm).then_some([most, here.largest_mm])
 }
 
-/// What names do at some poses.
+/// The joint effect of names at some poses.
 struct TermDisplacements {
     /// Longest, mm.
     largest_mm: f64,
@@ -100,7 +100,7 @@ mod tests {
         Term::from_parameters("gear-transmission-error", 1, &parameters, 6).unwrap()
     }
 
-    /// Their columns say nothing of their orders: near one another they cancel at the samples however large they are.
+    /// Near one another their columns nearly cancel at the samples however large they are.
     #[test]
     fn orders_that_cancel_each_other_run_away() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../sessions/arm/arm.json");

@@ -11,7 +11,7 @@ use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::Term;
 use crate::steps::{EQUAL, step_of};
 
-/// What is said of steps that are equal, where settings cannot be told apart by them.
+/// The message about equal steps, where settings cannot be distinguished by them.
 pub(crate) fn equal_steps(prepared: &PreparedSearch, rivals: &[Rival]) -> Option<DataProblem> {
     let term = rivals.first()?.removed.first()?;
     let joint = term.joint;
@@ -40,7 +40,7 @@ pub(crate) fn equal_steps(prepared: &PreparedSearch, rivals: &[Rival]) -> Option
     ))
 }
 
-/// What is said of waves that were withdrawn, as equal steps cannot tell them from slower ones.
+/// The message about waves that were withdrawn, as equal steps cannot distinguish them from slower ones.
 pub(crate) fn of_withdrawn(prepared: &PreparedSearch, withdrawn: &[Term]) -> Option<DataProblem> {
     let joint = withdrawn.first()?.joint;
     let step = step_in_words(prepared, joint)?;
@@ -67,8 +67,9 @@ fn step_in_words(prepared: &PreparedSearch, joint: usize) -> Option<String> {
 /// Orders of a gear that are listed: those around two turns of the steps.
 const LISTED: usize = 4;
 
-/// Orders of a gear that look like a wave of this term at the equal steps of its joint, and the step in rad. No
-/// likelihood parts them, and none is a rival: a ring off its centre is common, a gear of just this order is not.
+/// Orders of a gear that are aliases of a wave of this term at the equal steps of its joint, and the step in rad. No
+/// likelihood distinguishes them, and none is a rival: a ring off its centre is common, a gear of just this order is
+/// not.
 pub(crate) fn orders_that_look_alike(
     prepared: &PreparedSearch,
     term: &Term,

@@ -1,4 +1,4 @@
-//! What is left beside what noise would leave.
+//! The excess of the residuals over the noise.
 
 use statrs::distribution::{ContinuousCDF, Normal};
 
@@ -8,7 +8,7 @@ use crate::{odds, thresholds};
 /// σ has, 3 %.
 const LEAST_EXCESS: f64 = 1.03;
 
-/// How what is left compares with the floor.
+/// The residuals compared with the floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Excess {
     /// White noise as found over the floor.
@@ -26,8 +26,8 @@ impl Excess {
     }
 }
 
-/// Chance of a mean square so many times the expected one, which is itself known from so many degrees
-/// of freedom: from infinitely many where it is stated.
+/// Chance of a mean square so many times the expected one, which is itself estimated with so many degrees of freedom:
+/// with infinitely many where it is stated.
 pub(super) fn excess_of(ratio2: f64, freedom: f64, known_from: f64, kurtosis: f64) -> Excess {
     // Wilson & Hilferty's cube root makes χ² nearly normal, and a ratio of two as well (Paulson
     // 1942); heavy tails widen it.

@@ -1,6 +1,6 @@
-//! What no noise and no effect explains: an error of a hundredth of the robot's size, or of a turn, is of the rows,
-//! of the set-up or of a convention, whatever the floor says. One gate for every kind of measurement, and for the
-//! floor itself, which repeats and estimates raise as far as the error goes.
+//! A gross error, which no noise and no effect explains: an error of a hundredth of the robot's size, or of a turn, is
+//! due to the rows, the set-up or a convention, whatever the floor. One limit for every kind of measurement, and for
+//! the floor itself, which repeats and estimates raise as far as the error goes.
 
 use crate::answers::diagnosis::{Floor, Gaps};
 use crate::answers::identification::Identification;
@@ -12,7 +12,7 @@ use crate::set_up_errors::DataProblem;
 use crate::text::{Text, length};
 use crate::thresholds::GROSS_TURN_RAD;
 
-/// What is beyond the gate, in words.
+/// What exceeds the limit, in words.
 pub(super) fn beyond_noise(
     prepared: &PreparedSearch,
     floor: &Floor,
@@ -26,15 +26,15 @@ pub(super) fn beyond_noise(
         return Some(problem.what.clone());
     }
     let size_mm = size_mm(prepared);
-    for (left_mm, figure) in [
+    for (residual_mm, figure) in [
         (gap.end_mm, phrase!("the remaining error")),
         (floor.mm, phrase!("the floor")),
     ] {
-        if is_gross(left_mm, size_mm) {
+        if is_gross(residual_mm, size_mm) {
             return Some(text!(
                 "{figure} is {left} on a robot of {size}: no noise is so large",
                 figure,
-                left = length(left_mm, 3),
+                left = length(residual_mm, 3),
                 size = length(size_mm, 0)
             ));
         }

@@ -1,5 +1,5 @@
-//! Whether what is left is of one group of samples: a target, a socket, a setup, a station, a plane, an anchor whose
-//! samples leave more than those of the others of its kind.
+//! Whether the residuals belong to one group of samples: a target, a socket, a setup, a station, a plane, an anchor
+//! whose residuals are larger than those of the others of its kind.
 
 use super::excess::excess_of;
 use crate::model::shapes::Where;
@@ -9,8 +9,8 @@ use crate::sessions::{Group, Session};
 /// With fewer samples a group shows nothing.
 const FEWEST: usize = 5;
 
-/// The group of which it is, from its first sample to its last (counted from 1), where it is of one. `lengths_mm` is
-/// what every sample leaves.
+/// The group, from its first sample to its last (counted from 1), where it is one. `lengths_mm` are the residuals of
+/// every sample.
 pub(crate) fn place(session: &Session, lengths_mm: &[f64]) -> Option<Where> {
     let known = || (0..lengths_mm.len()).filter(|i| lengths_mm[*i].is_finite());
     let mut tried = 0.0;
@@ -53,7 +53,7 @@ mod tests {
     use super::*;
     use crate::simulation::{parse_scenario, simulate, unwatched};
 
-    /// One axis that is seen with two targets, so many samples.
+    /// One axis that is measured with two targets, so many samples.
     fn axis(count: usize) -> Session {
         let text = format!(
             r#"{{"format":"truepose-scenario/1","name":"r","robot":{{"name":"r","joints":[

@@ -1,35 +1,34 @@
-//! What a diagnosis hands out: of the fits that a search leaves, the first whose model is no worse than
-//! that of `identify`, in its RMS error and in that of samples that no fit has seen.
+//! The model that a diagnosis hands out: of the fits of a search the first whose model is no worse than that of
+//! `identify`, in its RMS error and in that of samples that no fit has seen.
 //!
-//! A shape that no name explains is fitted beside the names, so that it does not bend their values. It is
-//! no part of the model: where it holds a constant (a curve over the whole of a joint does, and a slope over
-//! a temperature that is far from 20 °C) the values run off against it, and are right only together with it.
-//! So the candidates are, in this order,
+//! A shape that no name explains is fitted together with the names, so that it does not distort their values. It is no
+//! part of the model: where it contains a constant (a curve over the whole of a joint does, and a slope over a
+//! temperature that is far from 20 °C) the values run away from it, and are right only together with it. So the
+//! candidates are, in this order,
 //!
-//! 1. the values beside the shapes, where the shapes take no more of the model than they show of
-//!    themselves,
+//! 1. the values fitted with the shapes, where these change the model's error by no more than they lower
+//!    the residuals themselves,
 //!
 //! ```text
-//! e²(beside) − e²(names) ≤ e²(names) − e²(names and shapes)
+//! e²(with shapes) − e²(names) ≤ e²(names) − e²(names and shapes)
 //! ```
 //!
 //! 2. the values of the names alone,
-//! 3. the same as they were before their sizes were corrected for the selection,
+//! 3. the same before their sizes were corrected for the selection,
 //! 4. the same with fewer names, the last that was found left out first,
 //! 5. the model of `identify` itself.
 //!
-//! A model is no better either where it is worse at most samples and better at a few that are far off: rows that
-//! belong to other rows have the largest deviations, and the sum of squares is theirs. Where samples were set
-//! aside and nothing was found, the identification without them is handed out in place of the one with them.
+//! Nor is a model better where it is worse at most samples and better at a few that are far off: rows that belong to
+//! other rows have the largest deviations, and they dominate the sum of squares. Where samples were set aside and
+//! nothing was found, the identification without them is handed out in place of the one with them.
 //!
 //! Names of several joints that cancel each other at the samples and run away over the joint ranges
 //! (`run_away`) are left out as well.
 //!
-//! Where no name is handed out, what stands apart is what stands apart for `identify`, and the noise floor that of its
-//! model.
+//! Where no name is handed out, the outliers are those of `identify`, and the noise floor that of its model.
 //!
-//! Every comparison is over the same samples and the same folds. Intervals are those of the fit with the
-//! shapes where it may be used at all, and hold the value that is handed out.
+//! Every comparison is over the same samples and the same folds. Intervals are those of the fit with the shapes where
+//! it may be used at all, extended to contain the value that is handed out.
 
 use std::borrow::Cow;
 
@@ -47,19 +46,19 @@ use super::values::{Values, corrected_for_selection};
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::prepare::PreparedSearch;
 
-/// The median deviation of what is handed out may be so many times that of `identify`: more is no scatter.
+/// The median deviation of the model may be so many times that of `identify`: more is no scatter.
 const MOST_TIMES_MEDIAN: f64 = 1.25;
-/// Where nothing was found the identification without what was set aside takes its place if the median deviation is
-/// below this share of that with it: the others had bent it.
+/// Where nothing was found the identification without the samples set aside replaces it if the median deviation is
+/// below this share of that with them: they had distorted it.
 const GAINS_OF_MEDIAN: f64 = 0.9;
 
-/// What is handed out.
+/// The model that is handed out.
 pub(crate) struct HandedOut<'a> {
     /// Its model, values and intervals.
     pub(crate) values: Values<'a>,
     /// RMS error of the model of `identify`, mm.
     pub(crate) identified_mm: f64,
-    /// RMS error of what is handed out, mm: never above that of `identify`.
+    /// RMS error of the model, mm: never above that of `identify`.
     pub(crate) end_mm: f64,
     /// Cross-validated RMS errors of both, mm; `None` with too few samples.
     pub(crate) held_out_mm: Option<[f64; 2]>,
@@ -67,16 +66,16 @@ pub(crate) struct HandedOut<'a> {
     pub(crate) dropped: Vec<Term>,
 }
 
-/// One way to values, and what it is worth.
+/// One way to values, with its errors.
 struct WayToValues<'a> {
     values: Values<'a>,
     end_mm: f64,
     held_out_mm: Option<f64>,
 }
 
-/// Chooses. `problem` holds all samples that may be fitted; the fits are the names alone and the names with
-/// the shapes beside them; `judged` are the values that the verdict is about, beside the shapes where those may
-/// be used, and `order` the names in the order found.
+/// Chooses. `problem` holds all samples that may be fitted; the fits are the names alone and the names with the
+/// shapes; `judged` are the values that the verdict is about, with the shapes where those may be used, and `order` the
+/// names in the order found.
 pub(crate) fn choose<'a>(
     prepared: &PreparedSearch<'a>,
     problem: &Problem<'a>,
@@ -103,29 +102,33 @@ pub(crate) fn choose<'a>(
     };
     let no_worse = |c: &WayToValues| against.is_no_worse(c);
     let handed_out = |own, dropped| against.handed_out(own, dropped);
-    let beside = judged.is_beside_shapes();
+    let has_shapes = judged.has_shapes();
     let found = regression.added(names).len();
-    let raw = if beside || judged.is_corrected() {
+    let raw = if has_shapes || judged.is_corrected() {
         Values::of(prepared, problem, names, stopped)
     } else {
         judged.clone()
     };
-    let corrected = if beside {
+    let corrected = if has_shapes {
         corrected_for_selection(prepared, names, raw.clone())
     } else {
         judged.clone()
     };
-    let told_apart = beside && is_told_apart(judged, &corrected);
+    let distinguished = has_shapes && is_distinguishable(judged, &corrected);
     // Intervals of what is handed out.
-    let unsure = if told_apart { judged } else { &corrected };
-    if told_apart {
-        let own = candidate(judged.clone(), with_shapes, Procedure::BesideShapes);
+    let unsure = if distinguished { judged } else { &corrected };
+    if distinguished {
+        let own = candidate(judged.clone(), with_shapes, Procedure::WithShapes);
         if no_worse(&own) {
             return handed_out(own, Vec::new());
         }
     }
     if found == 0 && has_set_aside(problem) {
-        let own = candidate(corrected.clone().sure_as(unsure), names, Procedure::Names);
+        let own = candidate(
+            corrected.clone().with_intervals_of(unsure),
+            names,
+            Procedure::Names,
+        );
         if against.gains(&own) {
             // Unseen samples are predicted by the same procedure, without the others.
             return HandedOut {
@@ -136,7 +139,7 @@ pub(crate) fn choose<'a>(
     }
     if found > 0 {
         for values in [corrected.clone(), raw] {
-            let own = candidate(values.sure_as(unsure), names, Procedure::Names);
+            let own = candidate(values.with_intervals_of(unsure), names, Procedure::Names);
             if no_worse(&own) {
                 return handed_out(own, Vec::new());
             }
@@ -171,13 +174,13 @@ pub(crate) fn choose<'a>(
         values,
     };
     HandedOut {
-        // The same model: what is left of it is what is left of the other.
+        // The same model: both have the same residuals.
         identified_mm: own.end_mm,
         ..handed_out(own, all)
     }
 }
 
-/// What a way to values is measured against: the model of `identify`, over the same samples and folds.
+/// The reference of a way to values: the model of `identify`, over the same samples and folds.
 struct Against<'p, 'a> {
     prepared: &'p PreparedSearch<'a>,
     problem: &'p Problem<'a>,
@@ -203,7 +206,7 @@ impl<'a> Against<'_, 'a> {
             && runs_away(problem, model).is_none()
     }
 
-    /// Whether the identification without what was set aside shows that the others had bent it.
+    /// Whether the identification without the samples set aside shows that they had distorted it.
     fn gains(&self, own: &WayToValues) -> bool {
         let median_mm = median_mm(self.problem, &own.values.model);
         own.end_mm < self.rms_mm && median_mm < GAINS_OF_MEDIAN * self.median_mm
@@ -233,8 +236,8 @@ fn identified(prepared: &PreparedSearch, problem: &Problem) -> Model {
     prepared.base.clone()
 }
 
-/// The problem with nothing set aside but what `identify` sets aside: what stood apart beside names that are not handed
-/// out need not stand apart without them.
+/// The problem with only those samples set aside that `identify` sets aside: an outlier of a fit with names that are
+/// not handed out need not be one without them.
 fn counted_as_by_identify<'p, 'a>(
     prepared: &PreparedSearch,
     problem: &'p Problem<'a>,
@@ -257,19 +260,19 @@ fn has_set_aside(problem: &Problem) -> bool {
 
 /// The median deviation over the same samples, mm.
 fn median_mm(problem: &Problem, model: &Model) -> f64 {
-    let left_mm = lengths_mm(problem, model);
-    let samples = left_mm.iter().zip(&problem.used);
+    let residual_mm = lengths_mm(problem, model);
+    let samples = residual_mm.iter().zip(&problem.used);
     let used = samples.filter(|(_, used)| **used);
     median(used.map(|(mm, _)| *mm)).unwrap_or(0.0)
 }
 
-/// Whether shapes are told from the model that they were fitted beside: what they take of it is no more
-/// than what they show beyond all that it can do itself.
-fn is_told_apart(beside: &Values, names: &Values) -> bool {
+/// Whether shapes can be distinguished from the model that they were fitted with: they raise its error by no more than
+/// they lower the residuals beyond all that the model can do itself.
+fn is_distinguishable(with_shapes: &Values, names: &Values) -> bool {
     let square = |mm: f64| mm * mm;
     let alone = square(names.rms_mm());
-    let taken = square(beside.rms_mm()) - alone;
-    let shown = alone - square(beside.rms_with_beside_mm());
+    let taken = square(with_shapes.rms_mm()) - alone;
+    let shown = alone - square(with_shapes.rms_with_shapes_mm());
     taken <= shown
 }
 

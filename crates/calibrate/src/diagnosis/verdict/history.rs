@@ -1,4 +1,4 @@
-//! The history of the gap, step by step.
+//! The history of the RMS error, step by step.
 
 use crate::kinematics::Robot;
 use crate::model::ResidualStep;
@@ -8,7 +8,7 @@ use super::named::Figures;
 use super::predicting::Predicting;
 use crate::diagnosis::search::Step;
 
-/// What belongs to every calibration of a robot.
+/// Terms that belong to every calibration of a robot.
 fn base_in_words(robot: &Robot) -> &'static str {
     match robot.joints.len() {
         1 => "zero offset and link length",

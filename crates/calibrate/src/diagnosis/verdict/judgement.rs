@@ -1,14 +1,13 @@
-//! Whether what is left is noise: against returns to the same pose (lack of fit, an F test), else
-//! against the noise that the instrument's maker states (χ², with the kurtosis that the residuals
-//! show), on samples that the fit has not seen (`unpredicted`), by its structure, and by whether the search was
-//! stopped before its end.
+//! Whether the residuals are noise: against returns to the same pose (lack of fit, an F test), else against the noise
+//! that the instrument's maker states (χ², with the kurtosis of the residuals), on samples that the fit has not seen
+//! (`unpredicted`), by their structure, and by whether the search was stopped before its end.
 //!
 //! ```text
 //! F = [(S_fit − S_pure)/(ν − ν_pure)] / [S_pure/ν_pure],   z = (s²/σ² − 1)/√((κ − 1)/ν)
 //! ```
 //!
-//! S and s² are of the white part of the noise: a frame that wanders is an answer of its own and
-//! leaves the verdict as it is.
+//! S and s² are of the white part of the noise: a drift of the frame is an answer in itself and does not change the
+//! verdict.
 
 use crate::diagnosis::evidence::SMALLEST;
 use crate::distributions::f_tail;
@@ -20,7 +19,7 @@ use crate::{odds, thresholds};
 
 use crate::fit::gap::lengths_mm;
 use crate::fit::noise::StatedNoise;
-use crate::observations::figures::{ResidualsOfKind, left_of_kinds};
+use crate::observations::figures::{ResidualsOfKind, residuals_of_kinds};
 use crate::observations::{Layer, kind_in_words};
 
 use super::excess::{Excess, excess_of};
@@ -35,7 +34,7 @@ use crate::diagnosis::search::free_curve;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::{PureError, pure_error};
 
-/// Adds to what is unexplained what speaks for more than noise.
+/// Adds the evidence for more than noise to what is unexplained.
 pub(crate) fn judge(
     prepared: &PreparedSearch,
     found: &SearchResult,
@@ -84,7 +83,7 @@ pub(crate) fn judge(
             let end = held_out.gaps.map_or(0.0, |g| g.end_mm).max(values.rms_mm());
             unexplained.rms_mm = (end * end - floor.mm * floor.mm).max(0.0).sqrt();
         } else if !unexplained.present {
-            // What the search saw last is noise: there is nothing to say of it.
+            // What the search saw last is noise: there is nothing to report of it.
             unexplained.place = None;
             unexplained.description = Text::default();
         }
@@ -94,7 +93,7 @@ pub(crate) fn judge(
     }
 }
 
-/// What speaks for more than noise without a larger error, and the names that only imitate it.
+/// The evidence for more than noise without a larger error, and the names that only imitate it.
 fn without_a_size(
     prepared: &PreparedSearch,
     found: &SearchResult,
@@ -125,8 +124,8 @@ fn without_a_size(
     Some((missed, Vec::new()))
 }
 
-/// What is said of names beside a frame that wanders: an error above the floor is not explained by them.
-/// Without any name the wander is the whole answer.
+/// The message about names together with a drift of the frame: an error above the floor is not explained by them.
+/// Without any name the drift is the whole answer.
 fn wanders(values: &Values, names: usize, floor: &Floor) -> Option<Text> {
     let over = values.rms_mm() / floor.mm.max(f64::MIN_POSITIVE);
     let stated = floor.from != FloorFrom::Estimated;
@@ -139,9 +138,9 @@ fn wanders(values: &Values, names: usize, floor: &Floor) -> Option<Text> {
     })
 }
 
-/// The short answer: whether no name is found, and whether something is left.
-pub(crate) fn of(nothing_found: bool, something_left: bool) -> Verdict {
-    match (nothing_found, something_left) {
+/// The verdict: whether no name is found, and whether something is unexplained.
+pub(crate) fn of(nothing_found: bool, something_unexplained: bool) -> Verdict {
+    match (nothing_found, something_unexplained) {
         (true, false) => Verdict::Noise,
         (false, false) => Verdict::Explained,
         (false, true) => Verdict::PartlyExplained,
@@ -208,7 +207,7 @@ fn against_stated(prepared: &PreparedSearch, values: &Values) -> Option<StatedNo
 
 /// F of the lack of fit against pure error.
 fn lack_of_fit(values: &Values, pure: &PureError) -> Excess {
-    let (variance, freedom) = values.beside_returns();
+    let (variance, freedom) = values.expected_of_returns();
     let beyond = freedom - pure.freedom;
     let none = Excess {
         ratio: 1.0,
@@ -253,17 +252,17 @@ fn over_stated(prepared: &PreparedSearch, values: &Values, floor: &Floor) -> Opt
     counts.then(|| excess_of(ratio2, freedom, f64::INFINITY, kurtosis))
 }
 
-/// Whether an excess may count. A bulk that is no larger than stated takes a small one for tails; a whole group of
-/// samples that is off leaves the bulk as it is too, and is no tail: the RMS error itself is above the floor then. (A
-/// variance for each degree of freedom is above it as well where priors hold a robot that is farther off.)
+/// Whether an excess counts. Where the bulk of the residuals is no larger than stated, a small excess is taken for
+/// heavy tails; a whole group of samples that is off does not change the bulk either, and is no tail: then the RMS
+/// error itself is above the floor. (A variance per degree of freedom is above it as well where priors hold a robot
+/// that is farther off.)
 fn is_of_the_bulk(bulk: f64, values: &Values, floor: &Floor) -> bool {
     bulk > 1.0 || values.rms_mm() > thresholds::NOTICEABLE * floor.mm
 }
 
-/// The same of every kind whose noise is stated, by itself: the clearest of them, its chance that of
-/// as much in any.
+/// The same of every kind whose noise is stated: the clearest of them, its chance that of as much in any.
 fn by_kind(layer: &Layer, values: &Values, floor: &Floor) -> Option<Excess> {
-    let of_kind = left_of_kinds(layer, &values.model);
+    let of_kind = residuals_of_kinds(layer, &values.model);
     let tried = of_kind.len() as f64;
     let all: usize = of_kind.iter().map(|kind| kind.squares.len()).sum();
     let spent = values.rank() / all.max(1) as f64;
@@ -285,8 +284,8 @@ fn by_kind(layer: &Layer, values: &Values, floor: &Floor) -> Option<Excess> {
     excesses.min_by(|a, b| a.p.total_cmp(&b.p))
 }
 
-/// The error on unseen samples against the floor: p predicted coordinates carry the error of the
-/// fit besides their own noise. A slow part of the noise is not the model's.
+/// The error on unseen samples against the floor: p predicted coordinates have the error of the fit in addition to
+/// their own noise. A slow part of the noise is not the model's.
 fn unseen(
     prepared: &PreparedSearch,
     values: &Values,
@@ -294,8 +293,8 @@ fn unseen(
     held_out: &HeldOut,
 ) -> Option<Excess> {
     let gaps = held_out.gaps?;
-    // One row of an observation tells little beside the coefficients that it carries: their error is
-    // not the same everywhere, and what is left of every kind decides alone.
+    // One row of an observation has little information compared with the coefficients that it depends on: their error
+    // is not the same everywhere, and the residuals of every kind decide alone.
     let of_kinds = values.problem.observed.is_some();
     if of_kinds || floor.from == FloorFrom::Estimated || values.noise_is_slow() {
         return None;
@@ -303,8 +302,8 @@ fn unseen(
     let axes = prepared.regression.rows.axes.len() as f64;
     let (_, freedom, kurtosis) = values.white();
     let m = freedom + values.rank();
-    let carried = (m + values.rank()) / m.max(1.0);
-    let ratio2 = (gaps.end_mm / floor.mm).powi(2) / carried;
+    let factor = (m + values.rank()) / m.max(1.0);
+    let ratio2 = (gaps.end_mm / floor.mm).powi(2) / factor;
     let count = (held_out.samples as f64 * axes).min(m);
     let known_from = match floor.from {
         FloorFrom::Repeats => pure_error(prepared)?.freedom,

@@ -1,10 +1,9 @@
 //! Detection limits: how large an effect would have had to be to be seen, with a chance of 95 %,
 //! by the same search in the same samples.
 //!
-//! A candidate is seen if its gain passes the family-wise threshold c (in units of the noise). An
-//! effect of size a along a coefficient has a noncentrality λ = a² G, G its Gram matrix beside the
-//! model; the limit is the a whose λ takes a noncentral χ² with k degrees of freedom over c in
-//! 95 of 100 sessions.
+//! A candidate is detected if its gain exceeds the family-wise threshold c (in units of the noise). An effect of size
+//! a along a coefficient has a noncentrality λ = a² G, G its Gram matrix projected orthogonal to the model; the limit
+//! is the a whose λ takes a noncentral χ² with k degrees of freedom over c in 95 of 100 sessions.
 
 pub(crate) use crate::answers::limits::Limit;
 use crate::effects::{Form, Quantity, Setting};
@@ -17,7 +16,7 @@ use crate::diagnosis::evidence::{bisected, weight_of};
 
 /// Limits of every name that was tried and is not in the model.
 pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
-    let around = regression.surroundings(fit, CandidateSubset::Names);
+    let around = regression.projections(fit, CandidateSubset::Names);
     let freedom = regression.m() - fit.basis.rank() as f64;
     let scale = regression.scale(fit).max(1e-300);
     let threshold = regression.minus_ln_p_for(odds::TAKEN.chance(), fit);
@@ -72,7 +71,7 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
                 }
                 Form::Fading(quantity) => vec![above(&quantity, energy(0))],
                 Form::Harmonic(quantity) => {
-                    // The phase that is hardest to see: the smaller eigenvalue of the 2 × 2.
+                    // The phase that is hardest to detect: the smaller eigenvalue of the 2 × 2.
                     let (a, d) = (energy(0), energy(1));
                     let b = factor[0] * factor[k];
                     let mean = 0.5 * (a + d);
@@ -97,7 +96,7 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
     limits
 }
 
-/// The gain, in units of what is left of the noise, of a candidate that explains this share of a sum of squares.
+/// The gain, in units of the residual noise, of a candidate that explains this share of a sum of squares.
 pub(super) fn gain_of(share: f64, freedom: f64) -> f64 {
     freedom * share / (1.0 - share).max(f64::EPSILON)
 }

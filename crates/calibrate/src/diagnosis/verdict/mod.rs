@@ -1,12 +1,14 @@
-//! What the user is told: values with intervals on all samples, each name with its evidence, whether what is left is
-//! noise, what could not have been seen, and what predicts without a name. Nothing here changes which names were found.
+//! The answer: values with intervals on all samples, each name with its evidence, whether the residuals are noise,
+//! detection limits, and what predicts without a name. Nothing here changes which names were found.
 //!
-//! - `conclude`: the answer put together of `named` (the names on all samples), `open_questions`, what is left, and
+//! - `conclude`: the answer put together of `named` (the names on all samples), `open_questions`, the residuals, and
 //!   `predicting` (the model with what has no name); `history`; `values`, `selection`: parameters and their intervals.
-//! - `named_effects`, `step_time`: the names; `equal_steps`: orders that equal steps cannot part.
-//! - `judgement`, `excess`, `group_excess`, `remainder`, `unpredicted`, `withheld`: what is left, and whether noise explains it.
-//! - `gross`: what no noise is so large as.
-//! - `limits`, `testable`: what would have been seen, and what cannot be; `repeatability`: what the robot does not repeat.
+//! - `named_effects`, `step_time`: the names; `equal_steps`: orders that equal steps cannot distinguish.
+//! - `judgement`, `excess`, `group_excess`, `remainder`, `unpredicted`, `withheld`: whether noise explains the
+//!   residuals.
+//! - `gross`: errors larger than any noise.
+//! - `limits`, `testable`: detection limits, and what cannot be tested; `repeatability`: the repeatability of the
+//!   robot.
 //! - `handed_out`, `divergent_terms`, `unseen`: which model is handed out; `unnamed`: what predicts without a name.
 
 mod conclude;

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use crate::effects::Term;
 use crate::fit::gap::{deviations, lengths_mm, over_fitted, suspects};
 use crate::fit::problem::Problem;
-use crate::observations::figures::apart_beside;
+use crate::observations::figures::outliers_given;
 
 use super::handed_out;
 use super::unseen::held_out;
@@ -43,8 +43,7 @@ impl<'a> Named<'a> {
         let regression = &prepared.regression;
         let with_shapes = &end.fit;
         let base = regression.fit(&regression.base, &[]);
-        // The model carries names only, as near to the samples as names can come; what no name
-        // explains is told apart.
+        // The model has names only, as near to the samples as names can come; what no name explains is separate.
         let alone = if with_shapes.shapes.is_empty() {
             with_shapes.clone()
         } else {
@@ -105,14 +104,14 @@ fn without_dropped(prepared: &PreparedSearch, fit: &Fit, dropped: &[Term]) -> Fi
     handed_out::without(prepared, fit, dropped)
 }
 
-/// Values of the names, from a fit of them alone or with the shapes beside them.
+/// Values of the names, from a fit of them alone or with the shapes.
 fn values<'a>(
     prepared: &PreparedSearch,
     problem: &Problem<'a>,
     [alone, with_shapes]: [&Fit; 2],
     capped: bool,
 ) -> Values<'a> {
-    // A shape over a joint of several takes of their geometry, which then predicts nothing without it.
+    // A shape over a joint of several absorbs a part of their geometry, which then predicts nothing without it.
     let several = prepared.regression.base.robot.joints.len() > 1;
     let of_kinds = problem.observed.is_some();
     let without = (several || of_kinds) && !with_shapes.shapes.is_empty();
@@ -121,8 +120,7 @@ fn values<'a>(
     corrected_for_selection(prepared, with_shapes, values)
 }
 
-/// All samples that may be fitted, those that an option locked away as well, without those that
-/// are far off beside the model.
+/// All samples that may be fitted, those that an option locked away as well, without the outliers of the model.
 fn with_unlocked<'p, 'a>(prepared: &'p PreparedSearch<'a>, fit: &Fit) -> Cow<'p, Problem<'a>> {
     if !prepared.locked.contains(&true) {
         return Cow::Borrowed(&*prepared.problem);
@@ -130,7 +128,7 @@ fn with_unlocked<'p, 'a>(prepared: &'p PreparedSearch<'a>, fit: &Fit) -> Cow<'p,
     let model = &Values::of(prepared, &prepared.problem, fit, false).model;
     let mut all = (*prepared.problem).clone();
     all.take_in(&prepared.locked, |all| match &all.observed {
-        Some(layer) => apart_beside(layer, model),
+        Some(layer) => outliers_given(layer, model),
         None => suspects(all, &deviations(all, model)),
     });
     Cow::Owned(all)

@@ -69,7 +69,7 @@ pub(crate) fn found(
     steps.iter().map(one).collect()
 }
 
-/// What else is known of an effect than how sure it is.
+/// The description of an effect apart from its evidence.
 fn notes(prepared: &PreparedSearch, term: &Term, within_s: Option<[f64; 2]>) -> Vec<Text> {
     let mut notes = Vec::new();
     if let Some(of) = stated(&prepared.regression.base.robot, term) {

@@ -1,4 +1,5 @@
-//! What the samples leave open: rivals that they cannot rule out, what they cannot show, and poses that would decide.
+//! Open questions: rivals that the samples cannot rule out, effects that they cannot show, and poses that would
+//! decide.
 
 use crate::budget;
 use crate::effects::Term;
@@ -15,9 +16,9 @@ use crate::diagnosis::evidence::rival::Rival;
 use crate::diagnosis::search::SearchResult as SearchEnd;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::{aliases, other_settings};
-use crate::diagnosis::search::{is_above, stands_above};
+use crate::diagnosis::search::{exceeds_when_tested, is_likelier};
 
-/// What stays undecided, for the proposal of poses.
+/// Open pairs, for the proposal of poses.
 pub struct Undecided<'u, 'a> {
     pub(crate) prepared: &'u PreparedSearch<'a>,
     pub(crate) fit: &'u Fit,
@@ -25,7 +26,7 @@ pub struct Undecided<'u, 'a> {
     pub(crate) not_testable: &'u [NotTestable],
 }
 
-/// Poses to measure next, and for each rival what would tell it from the model.
+/// Poses to measure next, and for each rival what would distinguish it from the model.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Proposal {
     pub(crate) poses: Vec<NextPose>,
@@ -45,11 +46,11 @@ impl Proposal {
 /// Proposes poses.
 pub(crate) type Planner<'p> = &'p dyn Fn(&Undecided) -> Proposal;
 
-/// What the samples leave open.
+/// Open questions.
 pub(super) struct OpenQuestions {
     /// Rivals that the samples cannot rule out.
     pub(super) rivals: Vec<Rival>,
-    /// What equal steps of the commands have to do with it.
+    /// The message about equal steps of the commands.
     pub(super) equal_steps: Option<DataProblem>,
     pub(super) not_testable: Vec<NotTestable>,
 }
@@ -58,14 +59,14 @@ impl OpenQuestions {
     pub(super) fn of(prepared: &PreparedSearch, end: &SearchEnd) -> Self {
         let (regression, fit) = (&prepared.regression, &end.fit);
         let mut rivals = aliases::open_rivals(regression, fit);
-        // What is likelier and carries itself has taken the place already; what does not is no rival.
+        // What is likelier and significant on its own has taken the place already; what is not is no rival.
         let mut held = 0;
         rivals.retain(|r| {
-            if !is_above(&r.fit, fit) {
+            if !is_likelier(&r.fit, fit) {
                 return true;
             }
             held += 1;
-            held <= budget::LIKELIEST && stands_above(prepared, &r.fit, fit)
+            held <= budget::LIKELIEST && exceeds_when_tested(prepared, &r.fit, fit)
         });
         let others = &end.other_ends;
         rivals.extend(aliases::under_another_noise(regression, fit, others));

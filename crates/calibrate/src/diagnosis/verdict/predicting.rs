@@ -13,16 +13,17 @@ use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::kinematics::JointKind;
 use crate::numeric::extent;
 
-/// The model with everything that predicts: what no sample shows where it is expected, and what repeats without a name.
+/// The model with everything that predicts: undetermined parameters at their expected values, and what repeats without
+/// a name.
 pub(super) struct Predicting<'a> {
     pub(super) values: Values<'a>,
     /// With it, and of the names alone, on the samples that both are judged by.
     pub(super) figures: Figures,
     pub(super) names: Figures,
     pub(super) unnamed: Option<Unnamed>,
-    /// The noise beside it, where that is known better with it.
+    /// The noise given it, where that is known better with it.
     pub(super) noise: Option<Noise>,
-    /// Samples that are outliers beside the names alone.
+    /// Samples that are outliers of the names alone.
     pub(super) come_back: Vec<usize>,
 }
 
@@ -31,7 +32,7 @@ impl<'a> Predicting<'a> {
         prepared: &PreparedSearch<'a>,
         named: &Named<'a>,
         names: usize,
-        left: &Unexplained,
+        unexplained: &Unexplained,
     ) -> Self {
         let completed = completed(prepared, &named.values, names, &named.figures);
         let (values, figures) =
@@ -45,7 +46,7 @@ impl<'a> Predicting<'a> {
             come_back: Vec::new(),
         };
         if let Some((with, after, unnamed)) =
-            unnamed::beside(prepared, &plain.values, &plain.figures)
+            unnamed::with_rest(prepared, &plain.values, &plain.figures)
         {
             return Self {
                 values: with,
@@ -54,7 +55,9 @@ impl<'a> Predicting<'a> {
                 ..plain
             };
         }
-        let Some(own) = repeating::beside(prepared, &plain.values, left, &plain.figures) else {
+        let Some(own) =
+            repeating::with_repeating(prepared, &plain.values, unexplained, &plain.figures)
+        else {
             return plain;
         };
         let mut names = plain.names;
@@ -72,7 +75,7 @@ impl<'a> Predicting<'a> {
         }
     }
 
-    /// No figure of unseen poses where those that were measured say little of others.
+    /// No error of unseen poses where those that were measured are too few to predict others.
     pub(super) fn unless_little_is_shown(
         mut self,
         prepared: &PreparedSearch,
@@ -94,12 +97,12 @@ impl<'a> Predicting<'a> {
     }
 }
 
-/// Whether a joint stood still, or there are fewer places than a geometry needs. Where all joints move, poses that were not
-/// measured are of the kind that was, however narrow it is, and how well they are predicted says something.
+/// Whether a joint stood still, or there are fewer places than a geometry needs. Where all joints move, poses that
+/// were not measured are of the kind that was, however narrow it is, and the error of predicting them is informative.
 fn shows_little(values: &Values) -> bool {
     let inputs = &values.problem.inputs;
     let joints = values.model.robot.joints.iter();
-    let least = joints.map(|joint| STANDS[usize::from(joint.kind == JointKind::Prismatic)]);
+    let least = joints.map(|joint| STANDSTILL[usize::from(joint.kind == JointKind::Prismatic)]);
     let least: Vec<f64> = least.collect();
     let stands = |(q, least): (&Cow<[f64]>, &f64)| {
         let [from, to] = extent(q.iter());
@@ -119,10 +122,10 @@ fn shows_little(values: &Values) -> bool {
 
 /// A joint whose values differ by less stood still, rad and mm: of a link a turn shows less than a sixtieth, and with a usual
 /// noise of 0.02 mm a slide shows its direction no better than to 1/50.
-const STANDS: [f64; 2] = [1.0 / 60.0, 1.0];
+const STANDSTILL: [f64; 2] = [1.0 / 60.0, 1.0];
 
-/// The values with what no sample shows where it is expected; samples that are held out are predicted with it, and
-/// where names stand in the model no worse than `identify` does.
+/// The values with the parameters that no sample determines at their expected values; held-out samples are predicted
+/// with them, and where the model has names no worse than `identify` does.
 fn completed<'a>(
     prepared: &PreparedSearch,
     values: &Values<'a>,

@@ -1,4 +1,4 @@
-//! What is left that no name explains: how much, where, and which names only imitate it.
+//! The residuals that no name explains: how large, where, and which names only imitate them.
 
 use crate::kinematics::JointKind;
 use crate::sessions::Session;
@@ -11,9 +11,9 @@ use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::search::SearchResult as SearchEnd;
 use crate::diagnosis::search::floor;
-use crate::diagnosis::search::left_mm;
 use crate::diagnosis::search::mean_sigma_mm;
 use crate::diagnosis::search::prepare::PreparedSearch;
+use crate::diagnosis::search::residual_mm;
 use crate::linear::Basis;
 use crate::model::shapes::{Shape, Variable, Where};
 
@@ -49,12 +49,13 @@ pub(crate) fn unexplained(
     let (main, main_gain) = order[0];
     let shape = fit.shapes[main].shape;
     let range = regression.table.space.range(shape.variable);
-    let rest = regression.without_shape(fit, main);
+    let reduced = regression.without_shape(fit, main);
     let freedom = (regression.m() - fit.basis.rank() as f64).max(1.0);
     let k = fit.shapes[main].white.ncols();
     let test = crate::diagnosis::evidence::Significance::new(k, freedom);
-    let minus_ln_p =
-        test.of(main_gain / rest.rss.max(1e-300)) - 0.5 * shape.tried.max(1.0).ln() - 3.0_f64.ln();
+    let minus_ln_p = test.of(main_gain / reduced.rss.max(1e-300))
+        - 0.5 * shape.tried.max(1.0).ln()
+        - 3.0_f64.ln();
     Unexplained {
         present: true,
         p: regression.family_p(minus_ln_p, fit).p,
@@ -76,7 +77,7 @@ pub(crate) fn unexplained(
     }
 }
 
-/// Where a shape is; of a target with its name.
+/// The place of a shape; of a target with its name.
 fn place_of(shape: &Shape, range: (f64, f64), prepared: &PreparedSearch) -> Where {
     let session = prepared.problem.session;
     let slides = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
@@ -89,8 +90,7 @@ fn place_of(shape: &Shape, range: (f64, f64), prepared: &PreparedSearch) -> Wher
     place
 }
 
-/// What the shapes of a fit move beyond what its names could do in their place: root mean square length over
-/// the samples, mm.
+/// The part of the shapes of a fit that its names could not imitate: root mean square length over the samples, mm.
 fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
     let n = regression.rows.samples.len().max(1) as f64;
     if regression.noise.is_white() || regression.rows.observed().is_some() {
@@ -98,7 +98,7 @@ fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
         let gain = (names.rss - fit.rss).max(0.0);
         return (gain / n).sqrt() * mean_sigma_mm(regression);
     }
-    // Whitened by a noise that wanders, a sum of squares is in units of one sample's surprise, not of mm.
+    // Whitened by a slow noise, a sum of squares is in units of one sample's innovation, not of mm.
     let shapes = fit.shapes.iter();
     let moved = shapes.map(|s| &*s.raw * &s.coefficients);
     let Some(mut moved) = moved.reduce(|sum, one| sum + one) else {
@@ -110,32 +110,34 @@ fn of_the_shapes_mm(regression: &Regression, fit: &Fit) -> f64 {
     moved.norm() / n.sqrt()
 }
 
-/// What is left of a base model that does not fit.
+/// The residuals of a base model that does not fit.
 fn of_the_base(prepared: &PreparedSearch, end: &SearchEnd) -> Unexplained {
-    let left = without_shapes(prepared, &end.fit);
-    // Estimated from what the base leaves, the floor would be all of it.
+    let unexplained = without_shapes(prepared, &end.fit);
+    // Estimated from the residuals of the base, the floor would be all of them.
     let floor_mm = floor(prepared, &end.named_effects_only).mm;
-    let left_mm = left_mm(prepared, &end.fit);
+    let residual_mm = residual_mm(prepared, &end.fit);
     let robot = &prepared.problem.session.robot;
     let names = prepared.regression.added(&end.named_effects_only);
     Unexplained {
         present: true,
-        rms_mm: (left_mm * left_mm - floor_mm * floor_mm).max(0.0).sqrt(),
+        rms_mm: (residual_mm * residual_mm - floor_mm * floor_mm)
+            .max(0.0)
+            .sqrt(),
         resembles: names.iter().map(|t| t.name_on(robot)).collect(),
         description: text!(
             "the base model does not fit: axes, tool or masses; {rest}",
-            rest = &left.description
+            rest = &unexplained.description
         ),
-        ..left
+        ..unexplained
     }
 }
 
-/// What is left beside names alone: how much like noise it is, and what it looks most like.
+/// The residuals of names alone: how much like noise they are, and what they look most like.
 pub(crate) fn without_shapes(prepared: &PreparedSearch, fit: &Fit) -> Unexplained {
     let regression = &prepared.regression;
     let scores = regression.scan(fit, CandidateSubset::All);
     let largest = scores.iter().map(|s| s.minus_ln_p).fold(0.0, f64::max);
-    // Where it would be, were it more than noise.
+    // The place where it would be, were it more than noise.
     let likeliest = scores
         .iter()
         .filter_map(|s| match &regression.table.candidates[s.candidate].what {

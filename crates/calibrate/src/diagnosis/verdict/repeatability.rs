@@ -1,5 +1,5 @@
-//! What the robot does not repeat: a pose's own error, which a pose that is reached again has anew and which all that is
-//! measured in one pose shares.
+//! The repeatability of the robot: a pose's own error, which is drawn anew when a pose is reached again and which all
+//! that is measured in one pose shares.
 
 use crate::sessions::Sigma;
 
@@ -8,8 +8,8 @@ use super::values::Values;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::pure_error;
 
-/// RMS length of a pose's own error, mm: what returns after other poses show beyond the instrument, where there are any,
-/// else what the rows of a pose share beside the model. `None` where the samples cannot tell.
+/// RMS length of a pose's own error, mm: the spread of returns after other poses beyond that of the instrument, where
+/// there are any, else the common residual of the rows of a pose. `None` where the samples do not determine it.
 pub(crate) fn robot_mm(prepared: &PreparedSearch, values: &Values) -> Option<f64> {
     let rows = &prepared.regression.rows;
     if rows.observed().is_some() {
@@ -20,7 +20,7 @@ pub(crate) fn robot_mm(prepared: &PreparedSearch, values: &Values) -> Option<f64
         return rows.unrepeated_mm(values.problem.noise.as_ref()?);
     };
     let sigma = match prepared.problem.session.instrument.sigma_mm {
-        // Rows of one pose show what the instrument does.
+        // Rows of one pose show the noise of the instrument.
         _ if rows.inputs.pose.is_some() => values.sigma_mm(),
         Some(Sigma::Overall(sigma)) => [sigma; 3],
         Some(Sigma::PerAxis(sigma)) => sigma,

@@ -1,5 +1,5 @@
-//! What repeats over the only joint and has no name, in the model that is handed out: every table, program and report
-//! carries it. The verdict is about names and does not know of it.
+//! The repeating curve over the only joint that has no name, in the model that is handed out: every table, program and
+//! report includes it. The verdict is about names and does not depend on it.
 
 use crate::effects::curve::Curve;
 use crate::fit::gap::{lengths_mm, rms_mm, set_aside};
@@ -20,24 +20,24 @@ use crate::answers::noise::Noise;
 use crate::diagnosis::rest::joint::{Repeating, repeating};
 use crate::diagnosis::search::prepare::PreparedSearch;
 
-/// What repeats beside the values of the names.
-pub(super) struct Beside {
+/// The repeating curve in addition to the values of the names.
+pub(super) struct WithRepeating {
     pub(super) unnamed: Unnamed,
     /// The figures with it.
     pub(super) figures: Figures,
-    /// The noise beside it, where that is known better with it.
+    /// The noise given it, where that is known better with it.
     pub(super) noise: Option<Noise>,
-    /// Samples that are outliers beside the names, and come back.
+    /// Samples that are outliers of the names alone, and come back.
     pub(super) come_back: Vec<usize>,
 }
 
-/// What repeats, where it predicts.
-pub(super) fn beside(
+/// The repeating curve, where it predicts.
+pub(super) fn with_repeating(
     prepared: &PreparedSearch,
     values: &Values,
     unexplained: &Unexplained,
     figures: &Figures,
-) -> Option<Beside> {
+) -> Option<WithRepeating> {
     let mut now = figures.clone();
     let Figures { gap, held_out } = &mut now;
     let model = values.model.settled();
@@ -57,7 +57,7 @@ pub(super) fn beside(
             _ => None,
         });
     let found = repeating(&values.problem, &model, base, joint, period)?;
-    // In a single run the axis and time cannot be told apart: what the noise explains as a wander stays one.
+    // In a single run the axis and time cannot be distinguished: what the noise explains as a drift remains one.
     if values.noise_is_slow() && found.runs_held_out_mm.is_none() && !unexplained.present {
         return None;
     }
@@ -89,7 +89,7 @@ pub(super) fn beside(
     if 10 * aside[1].iter().filter(|aside| **aside).count() > fitted {
         return None;
     }
-    // Rows that are none of the robot have the largest deviations, and the sum of squares is theirs.
+    // Rows that do not belong to the robot have the largest deviations, and dominate the sum of squares.
     let medians = [&model, &with].map(|model| median_mm(&values.problem, model));
     if after >= before || after > gap.identified_mm || medians[1] > medians[0] {
         return None;
@@ -117,7 +117,7 @@ pub(super) fn beside(
         over: vec![Text::verbatim(format!("q{}_{}", joint + 1, kind.unit()))],
         curve: Some(curve),
     };
-    Some(Beside {
+    Some(WithRepeating {
         unnamed,
         figures: now,
         noise: found.noise,
@@ -127,8 +127,8 @@ pub(super) fn beside(
 
 /// The median deviation of all samples that may be fitted, mm.
 fn median_mm(problem: &Problem, model: &Model) -> f64 {
-    let left_mm = lengths_mm(problem, model);
-    let fitted = left_mm.iter().zip(&problem.fit).filter(|own| *own.1);
+    let residual_mm = lengths_mm(problem, model);
+    let fitted = residual_mm.iter().zip(&problem.fit).filter(|own| *own.1);
     median(fitted.map(|own| *own.0).filter(|mm| mm.is_finite())).unwrap_or(0.0)
 }
 
@@ -156,8 +156,8 @@ fn of_held_out_samples(
     };
     let with = model.with_term(term);
     Some([model, &with].map(|model| {
-        let left_mm = lengths_mm(&prepared.problem, model);
-        unseen::rms_apart_mm(prepared, &left_mm)
+        let residual_mm = lengths_mm(&prepared.problem, model);
+        unseen::rms_apart_mm(prepared, &residual_mm)
     }))
 }
 

@@ -1,8 +1,8 @@
-//! What a selection does to a size: an effect near the limit of detection is named only where the
-//! noise happens to enlarge it, so that the size of what is named is too large.
+//! Selection bias: an effect near the limit of detection is named only where the noise happens to enlarge it, so that
+//! the size of what is named is too large.
 //!
-//! With a the root of the gain in units of the noise, less what k − 1 further columns bring by
-//! chance, b the least that is named, and δ the true one,
+//! With a the root of the gain in units of the noise, less the expected gain of k − 1 further columns by chance, b the
+//! least that is named, and δ the true one,
 //!
 //! ```text
 //! P(A > a | A > b) = Φ(δ − a)/Φ(δ − b)
@@ -19,12 +19,11 @@ use crate::effects::{Form, Term};
 use crate::fit::Estimate;
 use crate::units::HALF_TURN_DEG;
 
-/// Beyond so many standard deviations over the limit the selection does nothing.
+/// Beyond so many standard deviations over the limit the selection has no effect.
 const FAR: f64 = 5.0;
-/// Steps of the correction of the value: further ones take out more than there is, of the mean
-/// (`hidden_effects small`).
-/// Calibrated: the mean size of what is found at λ = 16 is right within 5 %; 4 steps leave 7 %
-/// too much.
+/// Steps of the correction of the value: further ones correct too much, in the mean (`hidden_effects small`).
+/// Calibrated: the mean size of what is found at λ = 16 is right within 5 %; after 4 steps it is 7 %
+/// too large.
 const STEPS: usize = 5;
 
 /// Factors from the estimated size to the corrected one and to the ends of its interval.
@@ -51,8 +50,8 @@ impl Selection {
         let chance = |delta: f64| normal.cdf(delta - a) / normal.cdf(delta - b).max(1e-300);
         let solve =
             |wanted: f64| bisected([-30.0, a + 10.0], |delta| chance(delta) < wanted).max(0.0);
-        // The mean of A is δ + φ(b − δ)/Φ(δ − b): the excess is taken out, estimated from what the
-        // step before left (iterated correction of a bias, Hall & Martin 1988).
+        // The mean of A is δ + φ(b − δ)/Φ(δ − b): the excess is subtracted, estimated from the value of the step
+        // before (iterated correction of a bias, Hall & Martin 1988).
         let excess = |delta: f64| normal.pdf(b - delta) / normal.cdf(delta - b).max(1e-300);
         let value = (0..STEPS).fold(a, |delta, _| a - excess(delta));
         Some(Self {
@@ -81,7 +80,7 @@ impl Selection {
         let value = estimate.value;
         let half = 0.5 * (high - low);
         if estimate.name.starts_with("phase") {
-            // It is as sure as the amplitude is large, which is less than it looked.
+            // It is as certain as the amplitude is large, which is less than before the correction.
             let half = half / self.factor.max(0.05);
             estimate.ci95 = (half < HALF_TURN_DEG).then_some([value - half, value + half]);
             return;
@@ -89,7 +88,8 @@ impl Selection {
         let along = [self.low * value, self.high * value];
         let (from, to) = (along[0].min(along[1]), along[0].max(along[1]));
         estimate.value = self.factor * value;
-        // The selection acts on the length of a vector; across it a component is as unsure as it was.
+        // The selection acts on the length of a vector; the uncertainty of a component perpendicular to it is
+        // unchanged.
         let of_length = 1.96 * value.abs() / (half.max(1e-300) * self.length);
         let across = (1.0 - of_length.powi(2)).max(0.0) * half.powi(2);
         estimate.ci95 = Some([

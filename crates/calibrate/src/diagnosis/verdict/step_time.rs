@@ -1,5 +1,5 @@
-//! When a step happened. The interval of `time_s` is that between the samples around the likeliest time; how sure that
-//! time is says the posterior over all times that were tried, each as likely beforehand:
+//! The time of a step. The interval of `time_s` is that between the samples around the likeliest time; its uncertainty
+//! is the posterior over all times that were tried, each as likely a priori:
 //!
 //! ```text
 //! ln w(t) = −(m/2) ln(1 − gain(t)/RSS)
@@ -13,7 +13,7 @@ use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::search::Worth;
 use crate::diagnosis::search::prepare::PreparedSearch;
 
-/// What lies outside on either side.
+/// The probability outside on either side.
 const TAIL: f64 = 0.025;
 
 /// Times between which the step lies with 95 %, s; `None` for an effect that is no step.
@@ -23,13 +23,13 @@ pub(crate) fn within_s(prepared: &PreparedSearch, term: &Term, worth: &Worth) ->
         return None;
     }
     let regression = &prepared.regression;
-    let scores = regression.scan(&worth.rest, CandidateSubset::Names);
+    let scores = regression.scan(&worth.reduced, CandidateSubset::Names);
     let mut tried: Vec<(f64, f64)> = scores
         .iter()
         .filter_map(|score| {
             let other = regression.table.candidates[score.candidate].what.term()?;
             let same = other.effect.about().id == about.id && other.joint == term.joint;
-            let share = (score.gain / worth.rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-12);
+            let share = (score.gain / worth.reduced.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-12);
             same.then(|| (other.setting, -0.5 * regression.m() * (-share).ln_1p()))
         })
         .collect();

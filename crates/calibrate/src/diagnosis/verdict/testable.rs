@@ -5,10 +5,10 @@ use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 
-/// What the conditions forbid, and names of which nothing is left beside the base.
+/// Effects that the conditions rule out, and names that are linearly dependent on the base.
 pub(crate) fn not_testable(regression: &Regression, base: &Fit) -> Vec<NotTestable> {
     let mut all = regression.table.not_testable.clone();
-    let around = regression.surroundings(base, CandidateSubset::Names);
+    let around = regression.projections(base, CandidateSubset::Names);
     let mut seen: Vec<(&'static str, usize, bool, bool)> = Vec::new();
     for candidate in &regression.table.candidates {
         let Some(term) = candidate.what.term() else {

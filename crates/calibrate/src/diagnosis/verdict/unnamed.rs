@@ -1,8 +1,8 @@
-//! What predicts poses that no fit has seen and has no name.
+//! The rest that has no name and predicts poses that no fit has seen.
 //!
-//! A name is said for what is proven; a model that is handed out holds whatever predicts. After the
-//! search, whatever names are left, a rest is fitted beside the geometry and the names of a robot with
-//! several joints ([`crate::diagnosis::rest`]).
+//! A name is reported where it is proven; a model that is handed out contains whatever predicts. After the search, a
+//! smooth rest is fitted in addition to the geometry and the names of a robot with several joints
+//! ([`crate::diagnosis::rest`]).
 
 use crate::effects::Term;
 use crate::fit::base_model;
@@ -15,7 +15,7 @@ use crate::answers::diagnosis::Unnamed;
 use crate::diagnosis::rest::arm::{self, FittedFamilies};
 use crate::diagnosis::search::prepare::PreparedSearch;
 /// Values with what predicts without a name, where it does, and their figures.
-pub(super) fn beside<'a>(
+pub(super) fn with_rest<'a>(
     prepared: &PreparedSearch,
     values: &Values<'a>,
     figures: &Figures,

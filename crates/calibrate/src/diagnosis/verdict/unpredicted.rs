@@ -1,6 +1,6 @@
-//! Held-out samples that the model should predict and does not: half of them and more are farther off than noise and
-//! all that is uncertain of the model explain. However well it follows the samples that it was fitted to, what is left
-//! is more than noise then.
+//! Held-out samples that the model fails to predict: the median of their errors is larger than noise and the
+//! uncertainty of the model explain. However well it follows the samples that it was fitted to, the residual is then
+//! more than noise.
 //!
 //! ```text
 //! u_i² = f² + tr J_i Σ J_iᵀ + Σ_d σ_d² |J_i d|²,   median_i |e_i| / (k u_i) > 3
@@ -21,20 +21,21 @@ use super::values::Values;
 use crate::answers::diagnosis::Floor;
 use crate::diagnosis::search::prepare::PreparedSearch;
 
-/// From so many times the standard uncertainty on; half of all normal errors are within one.
+/// The factor of the standard uncertainty; half of all normal errors are within one.
 const MOST_TIMES: f64 = 3.0;
 
-/// What there is to say where the samples that the session holds out are not predicted.
+/// The message where the samples that the session holds out are not predicted.
 pub(crate) fn missed(prepared: &PreparedSearch, values: &Values, floor: &Floor) -> Option<Text> {
-    // What an option has locked away is fitted by now; a frame that wanders is elsewhere when they were measured.
+    // Samples that an option has locked away are fitted by now; a frame that drifts is elsewhere when they were
+    // measured.
     if prepared.locked.contains(&true) || values.noise_is_slow() {
         return None;
     }
     let problem = &values.problem;
     let held_out = problem.session.samples.held_out.as_deref()?;
-    let left_mm = lengths_mm(problem, &values.model);
-    let is_apart = |i: &usize| problem.usable[*i] && held_out[*i] && left_mm[*i].is_finite();
-    let apart: Vec<usize> = (0..left_mm.len()).filter(is_apart).collect();
+    let residual_mm = lengths_mm(problem, &values.model);
+    let is_apart = |i: &usize| problem.usable[*i] && held_out[*i] && residual_mm[*i].is_finite();
+    let apart: Vec<usize> = (0..residual_mm.len()).filter(is_apart).collect();
     if apart.len() < fewest::TO_JUDGE {
         return None;
     }
@@ -53,8 +54,11 @@ pub(crate) fn missed(prepared: &PreparedSearch, values: &Values, floor: &Floor) 
         .zip(&unseen)
         .map(|(own, unseen)| own.hypot(*unseen));
     let times = apart.iter().zip(uncertain);
-    let times = times.map(|(i, own)| left_mm[*i] / (wider * own.hypot(floor.mm)));
-    let (times, error) = (median(times)?, median(apart.iter().map(|i| left_mm[*i]))?);
+    let times = times.map(|(i, own)| residual_mm[*i] / (wider * own.hypot(floor.mm)));
+    let (times, error) = (
+        median(times)?,
+        median(apart.iter().map(|i| residual_mm[*i]))?,
+    );
     (times > MOST_TIMES).then(|| {
         text!(
             "half of the held-out samples are {error} off and more, {times} times what noise and all that is uncertain of the model explain",

@@ -11,15 +11,15 @@ use crate::answers::diagnosis::{Gaps, HeldOut};
 use crate::diagnosis::evidence::{Fit, Folds, Regression};
 use crate::diagnosis::search::prepare::PreparedSearch;
 
-/// How a fit becomes the model that predicts.
+/// The procedure by which a fit becomes the model that predicts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Procedure {
     /// As `identify` does it.
     Identify,
     /// Its names alone.
     Names,
-    /// Its names, with its shapes fitted beside them; the shapes predict nothing.
-    BesideShapes,
+    /// Its names, with its shapes fitted with them; the shapes predict nothing.
+    WithShapes,
 }
 
 /// RMS error of a fit on unseen samples, mm; `None` with too few of them.
@@ -28,18 +28,18 @@ pub(crate) fn of(prepared: &PreparedSearch, fit: &Fit, procedure: Procedure) -> 
     if held_out_samples(prepared).contains(&true) {
         let model = match procedure {
             Procedure::Identify => prepared.base.clone(),
-            Procedure::Names | Procedure::BesideShapes => {
+            Procedure::Names | Procedure::WithShapes => {
                 Values::of(prepared, problem, fit, false).model
             }
         };
         return Some(rms_apart_mm(prepared, &lengths_mm(problem, &model)));
     }
     let of_folds = |folds: &Folds, regression: &Regression, fit: &Fit| match procedure {
-        Procedure::BesideShapes => folds.rms_mm_of_the_model(regression, fit),
+        Procedure::WithShapes => folds.rms_mm_of_the_model(regression, fit),
         Procedure::Identify | Procedure::Names => folds.rms_mm(regression, fit),
     };
-    let says = prepared.folds.say_something();
-    says.then(|| prepared.unseen_mm(fit, of_folds))
+    let enough = prepared.folds.are_enough();
+    enough.then(|| prepared.unseen_mm(fit, of_folds))
 }
 
 /// The same of a finished model, where the session holds samples out that no fit has seen.
@@ -58,18 +58,17 @@ pub(crate) fn held_out_samples(prepared: &PreparedSearch) -> Vec<bool> {
     (0..problem.usable.len()).map(is_apart).collect()
 }
 
-/// Whether what is said of unseen samples comes from folds.
+/// Whether the error on unseen samples is cross-validated.
 pub(super) fn is_cross_fitted(prepared: &PreparedSearch) -> bool {
     !held_out_samples(prepared).contains(&true)
 }
 
-/// Root mean square length of what is left of them, mm; samples far off are suspected here as they are
-/// elsewhere.
-pub(super) fn rms_apart_mm(prepared: &PreparedSearch, left_mm: &[f64]) -> f64 {
+/// RMS residual of the held-out samples, mm; outliers are suspected here as they are elsewhere.
+pub(super) fn rms_apart_mm(prepared: &PreparedSearch, residual_mm: &[f64]) -> f64 {
     let apart = held_out_samples(prepared);
     let mut lengths: Vec<f64> = (0..apart.len())
         .filter(|i| apart[*i])
-        .map(|i| left_mm[i])
+        .map(|i| residual_mm[i])
         // Of a row that measures no length.
         .filter(|length| !length.is_nan())
         .collect();
@@ -77,14 +76,14 @@ pub(super) fn rms_apart_mm(prepared: &PreparedSearch, left_mm: &[f64]) -> f64 {
     let count = lengths.len();
     let limit = 5.0 * lengths.get(count / 2).copied().unwrap_or(f64::NAN);
     let spread = Spread::of(
-        left_mm,
+        residual_mm,
         |i| apart[i],
-        |i| count >= fewest::TO_JUDGE && left_mm[i] > limit,
+        |i| count >= fewest::TO_JUDGE && residual_mm[i] > limit,
     );
     spread.map_or(0.0, |s| s.rms_mm)
 }
 
-/// What is said of unseen samples; `found_mm` are the errors after identification and with what was found.
+/// The errors on unseen samples; `found_mm` are those after identification and with what was found.
 pub(crate) fn held_out(
     prepared: &PreparedSearch,
     nominal_mm: &[f64],
@@ -117,7 +116,7 @@ pub(crate) fn held_out(
             gaps: gaps(rms_apart_mm(prepared, nominal_mm)),
         };
     }
-    if !prepared.folds.say_something() {
+    if !prepared.folds.are_enough() {
         return HeldOut::none(text!("too few samples to hold any out"));
     }
     if !prepared.folds.predict_poses {

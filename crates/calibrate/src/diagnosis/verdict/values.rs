@@ -1,8 +1,8 @@
-//! Values of the parameters with their intervals: one fit to all samples that count, by the same
-//! estimator that `identify` uses, with what no name explains beside the model.
+//! Values of the parameters with their intervals: one fit to all samples that count, by the same estimator that
+//! `identify` uses, together with the shapes that no name explains.
 //!
-//! A search looks at a part of a long session, and at none of the samples that an option locks
-//! away; the names that it found are fitted once more to all of them.
+//! A search uses a part of a long session, and none of the samples that an option locks away; the names that it found
+//! are fitted once more to all of them.
 
 use nalgebra::DMatrix;
 
@@ -13,7 +13,7 @@ use crate::fit::solver::{Solution, solution_at, solve};
 use crate::fit::unseen::{Completed, completed};
 use crate::fit::{
     DEFAULT_EFFECTS, Estimate, Identification, NotIdentifiable, base_model, covariance_of,
-    noise_beside, outliers, parameters_of, report,
+    noise_given, outliers, parameters_of, report,
 };
 use crate::model::Model;
 use crate::observations::figures::{coordinate_mm, whitened};
@@ -29,10 +29,10 @@ use crate::diagnosis::search::OrderSpread;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::worth;
 
-/// Values of shapes that a fit to all samples may carry at most.
-const MOST_BESIDE: usize = 20_000_000;
+/// The largest number of values of shapes in a fit to all samples.
+const MOST_SHAPE_VALUES: usize = 20_000_000;
 
-/// A model fitted to all samples that count, and how sure its coefficients are.
+/// A model fitted to all samples that count, and the covariance of its coefficients.
 #[derive(Clone)]
 pub(crate) struct Values<'a> {
     pub(crate) problem: Problem<'a>,
@@ -42,7 +42,7 @@ pub(crate) struct Values<'a> {
     pub(crate) covariance: Option<DMatrix<f64>>,
     /// One list for each term of the model.
     estimates: Vec<Vec<Estimate>>,
-    /// Kurtosis of what is left, and the size of its bulk in units of the noise.
+    /// Kurtosis of the residuals, and the size of their bulk in units of the noise.
     tails: (f64, f64),
     /// Whether a size was corrected for the selection.
     corrected: bool,
@@ -51,8 +51,8 @@ pub(crate) struct Values<'a> {
 }
 
 impl<'a> Values<'a> {
-    /// The names of a fit, fitted to the samples of a problem that count.
-    /// Where the search was stopped the noise stays as it was found beside many candidates.
+    /// The names of a fit, fitted to the samples of a problem that count. Where the search was stopped the noise is
+    /// that estimated with many candidates.
     pub(crate) fn of(
         prepared: &PreparedSearch,
         problem: &Problem<'a>,
@@ -61,7 +61,7 @@ impl<'a> Values<'a> {
     ) -> Self {
         let mut problem = problem.clone();
         let width: usize = fit.shapes.iter().map(|s| s.raw.ncols()).sum();
-        if width * problem.used.len() * 3 <= MOST_BESIDE {
+        if width * problem.used.len() * 3 <= MOST_SHAPE_VALUES {
             problem.extra_columns = prepared
                 .regression
                 .table
@@ -75,7 +75,7 @@ impl<'a> Values<'a> {
         let mut solution = solve(&problem, &fit.model);
         let rounds = if stopped || of_kinds { 0 } else { 2 };
         for _ in 0..rounds {
-            let noise = noise_beside(&problem, &solution.model, &solution.extra_coefficients);
+            let noise = noise_given(&problem, &solution.model, &solution.extra_coefficients);
             let known = problem.noise.as_ref();
             if known.is_some_and(|known| noise.whitens_like(known)) {
                 break;
@@ -122,8 +122,7 @@ impl<'a> Values<'a> {
         noise.map_or([scale; 3], |n| n.sigma_mm.map(|s| s * scale))
     }
 
-    /// Mean square of a whitened coordinate that is left, its degrees of freedom, and the kurtosis
-    /// of what is left.
+    /// Mean square of a whitened residual coordinate, its degrees of freedom, and the kurtosis of the residuals.
     pub(crate) fn white(&self) -> (f64, f64, f64) {
         let m = self.problem.rows() as f64;
         let freedom = (m - self.rank()).max(1.0);
@@ -132,18 +131,18 @@ impl<'a> Values<'a> {
         (cost / freedom, freedom, self.tails.0)
     }
 
-    /// What returns to the same poses are held against: mean square of a coordinate in units of its axis's white noise,
-    /// with what the robot does not repeat in it, and its degrees of freedom, of poses then.
-    pub(crate) fn beside_returns(&self) -> (f64, f64) {
+    /// The expected spread of returns to the same poses: mean square of a coordinate in units of its axis's white
+    /// noise, including repeatability, and its degrees of freedom, then of poses.
+    pub(crate) fn expected_of_returns(&self) -> (f64, f64) {
         let (white, freedom, _) = self.white();
         let noise = self.problem.noise.as_ref();
         if noise.is_none_or(|noise| noise.joints_rad == 0.0) {
             return (white, freedom);
         }
-        let left = deviations(&self.problem, &self.model).axes_mm;
+        let residuals = deviations(&self.problem, &self.model).axes_mm;
         let used = (0..self.problem.used.len()).filter(|i| self.problem.used[*i]);
         let used: Vec<usize> = used.collect();
-        let axes = self.problem.axis_weights.iter().zip(&left);
+        let axes = self.problem.axis_weights.iter().zip(&residuals);
         let square: f64 = axes
             .filter(|(weight, _)| **weight > 0.0)
             .map(|(weight, e)| used.iter().map(|i| weight * e[*i] * e[*i]).sum::<f64>())
@@ -154,7 +153,7 @@ impl<'a> Values<'a> {
         (square / freedom, of_poses.max(1.0))
     }
 
-    /// Size of the bulk of what is left, from the median, in units of the noise.
+    /// Size of the bulk of the residuals, from the median, in units of the noise.
     pub(crate) fn bulk(&self) -> f64 {
         self.tails.1
     }
@@ -169,35 +168,34 @@ impl<'a> Values<'a> {
         noise.is_some_and(|n| n.slow.is_some())
     }
 
-    /// Root mean square length of what is left of the samples that count, mm.
+    /// RMS residual of the samples that count, mm.
     pub(crate) fn rms_mm(&self) -> f64 {
         rms_mm(&self.problem, &self.model)
     }
 
-    /// Root mean square length of what is left beside the model and the columns that were fitted with it, of
-    /// the samples that count, mm.
-    pub(crate) fn rms_with_beside_mm(&self) -> f64 {
-        let mut left = deviations(&self.problem, &self.model).axes_mm;
+    /// RMS residual of the model with the columns that were fitted with it, of the samples that count, mm.
+    pub(crate) fn rms_with_shapes_mm(&self) -> f64 {
+        let mut residuals = deviations(&self.problem, &self.model).axes_mm;
         for (column, coefficient) in self
             .problem
             .extra_columns
             .iter()
             .zip(&self.solution.extra_coefficients)
         {
-            for (left, values) in left.iter_mut().zip(column) {
-                for (e, value) in left.iter_mut().zip(values) {
+            for (residuals, values) in residuals.iter_mut().zip(column) {
+                for (e, value) in residuals.iter_mut().zip(values) {
                     *e -= coefficient * value;
                 }
             }
         }
-        let length = |i: usize| left.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
+        let length = |i: usize| residuals.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
         let lengths: Vec<f64> = (0..self.problem.used.len()).map(length).collect();
         let spread = Spread::of(&lengths, |i| self.problem.used[i], |_| false);
         spread.map_or(0.0, |s| s.rms_mm)
     }
 
-    /// Whether shapes were fitted beside the model.
-    pub(crate) fn is_beside_shapes(&self) -> bool {
+    /// Whether shapes were fitted with the model.
+    pub(crate) fn has_shapes(&self) -> bool {
         !self.problem.extra_columns.is_empty()
     }
 
@@ -208,7 +206,7 @@ impl<'a> Values<'a> {
 
     /// The same values with the intervals of another fit, where it has them, extended to hold the value.
     #[must_use]
-    pub(crate) fn sure_as(mut self, other: &Self) -> Self {
+    pub(crate) fn with_intervals_of(mut self, other: &Self) -> Self {
         for (term, own) in self.model.terms().iter().zip(&mut self.estimates) {
             let theirs = other.parameters_of(term);
             for estimate in own {
@@ -250,7 +248,7 @@ impl<'a> Values<'a> {
         Some(there)
     }
 
-    /// Takes what the selection adds out of the size of a term.
+    /// Subtracts the selection bias from the size of a term.
     pub(crate) fn correct(&mut self, term: &Term, selection: &Selection) {
         self.corrected = true;
         let mut terms = self.model.terms().iter();
@@ -279,10 +277,10 @@ impl<'a> Values<'a> {
         self.solution.model = self.model.clone();
     }
 
-    /// Fits the geometry of several joints again beside sizes that were corrected: it carries what an
-    /// effect does in common with it. Where the samples are followed worse all the same, as the sizes
-    /// of several effects hang together, it is the fit before that stands.
-    pub(crate) fn fit_the_geometry_beside(&mut self, before: &Self) {
+    /// Fits the geometry of several joints again with corrected sizes: it absorbs what an effect has in common with
+    /// it. Where the residuals are larger nevertheless, as the sizes of several effects are correlated, the fit before
+    /// is kept.
+    pub(crate) fn refit_geometry(&mut self, before: &Self) {
         let is_base = |t: &Term| base_model::belongs(t.effect.about().id);
         let terms = self.model.terms();
         if self.model.robot.joints.len() < 2 || terms.iter().all(is_base) {
@@ -298,7 +296,7 @@ impl<'a> Values<'a> {
         self.solution.model = self.model.clone();
     }
 
-    /// The terms of the model, of which a fit moves the geometry alone.
+    /// The terms of the model, of which a fit changes the geometry alone.
     fn with_names_held(&self) -> Vec<Term> {
         let held = self.model.terms().iter().map(|term| {
             let mut term = term.clone();
@@ -311,8 +309,8 @@ impl<'a> Values<'a> {
         held.collect()
     }
 
-    /// With what no sample shows where it is likeliest ([`crate::fit::unseen`]). The model of `identify` is completed as
-    /// `identify` does it, with the samples as weighed there.
+    /// With undetermined combinations at their likeliest values ([`crate::fit::unseen`]). The model of `identify` is
+    /// completed as `identify` does it, with the weights of the samples there.
     #[must_use]
     pub(crate) fn completed(mut self, prepared: &PreparedSearch) -> Self {
         let known = self.covariance.as_ref();
@@ -321,9 +319,9 @@ impl<'a> Values<'a> {
             let problem = &prepared.as_identified;
             let there = solution_at(problem, &self.solution);
             completed(problem, &there, known).map(|own| {
-                let beside = self.solution.extra_coefficients.clone();
+                let extra = self.solution.extra_coefficients.clone();
                 let here = Solution {
-                    extra_coefficients: beside,
+                    extra_coefficients: extra,
                     ..own.solution
                 };
                 let solution = solution_at(&self.problem, &here);
@@ -335,14 +333,14 @@ impl<'a> Values<'a> {
         let Some(own) = own else {
             return self;
         };
-        let anew = parameters_of(&self.problem, &own.solution, own.covariance.as_ref());
+        let refitted = parameters_of(&self.problem, &own.solution, own.covariance.as_ref());
         self.estimates
             .resize(own.solution.model.terms().len(), Vec::new());
-        for ((term, anew), estimates) in
-            (own.solution.model.terms().iter().zip(anew)).zip(&mut self.estimates)
+        for ((term, refitted), estimates) in
+            (own.solution.model.terms().iter().zip(refitted)).zip(&mut self.estimates)
         {
             if base_model::belongs(term.effect.about().id) {
-                *estimates = anew;
+                *estimates = refitted;
             }
         }
         self.model = own.solution.model.clone();
@@ -368,14 +366,16 @@ impl<'a> Values<'a> {
         now
     }
 
-    /// With what predicts without a name in the model, and the geometry fitted again beside it; the names keep
-    /// their values. What the geometry moves by moves its intervals.
+    /// With what predicts without a name in the model, and the geometry fitted again with it; the names keep their
+    /// values. The change of the geometry shifts its intervals.
     pub(crate) fn with_unnamed(&self, unnamed: &[Term]) -> Self {
         let mut now = self.clone();
         now.problem.extra_columns.clear();
         let is_base = |t: &Term| base_model::belongs(t.effect.about().id);
         let alone = self.model.coefficients();
-        let unnamed = unnamed.iter().map(|term| term.beside_geometry(&alone));
+        let unnamed = unnamed
+            .iter()
+            .map(|term| term.with_geometry_alone_as(&alone));
         let unnamed: Vec<Term> = unnamed.collect();
         let all = [self.with_names_held(), unnamed.clone()].concat();
         let fitted = solve(&now.problem, &Model::new(self.model.robot.clone(), all)).model;
@@ -402,8 +402,8 @@ impl<'a> Values<'a> {
         now
     }
 
-    /// This fit as `identify` would answer it. The samples that are suspected are those that it left
-    /// out: what no name explains is in the residuals again, and could accuse others.
+    /// This fit in the form of `identify`'s answer. The suspected samples are those that it left out: what no name
+    /// explains is in the residuals again, and could make others suspect.
     pub(crate) fn identification(
         &self,
         nominal: &Model,
@@ -425,10 +425,10 @@ impl<'a> Values<'a> {
             // Observations were judged one by one: of a sample one may be far off.
             return answer;
         }
-        let [before, left] = [nominal, &self.model].map(|model| lengths_mm(problem, model));
+        let [before, residuals] = [nominal, &self.model].map(|model| lengths_mm(problem, model));
         answer.gap.before = over_fitted(problem, &before).unwrap_or(answer.gap.before);
-        answer.gap.after = over_fitted(problem, &left).unwrap_or(answer.gap.after);
-        answer.outliers = outliers(&left, set_aside(problem).into_iter());
+        answer.gap.after = over_fitted(problem, &residuals).unwrap_or(answer.gap.after);
+        answer.outliers = outliers(&residuals, set_aside(problem).into_iter());
         answer
     }
 
@@ -439,7 +439,7 @@ impl<'a> Values<'a> {
         at.map_or_else(Vec::new, |at| self.estimates[at].clone())
     }
 
-    /// Estimates of what belongs to every calibration.
+    /// Estimates of the parameters of every calibration.
     pub(crate) fn identified(&self) -> Vec<Estimate> {
         let several = self.model.robot.joints.len() > 1 || self.problem.observed.is_some();
         let terms = self.model.terms().iter().zip(&self.estimates);
@@ -451,7 +451,7 @@ impl<'a> Values<'a> {
     }
 }
 
-/// An interval that holds the value of an estimate as well; a phase comes round after 360°.
+/// An interval extended to contain the value of an estimate; a phase comes round after 360°.
 fn holding(estimate: &Estimate, [low, high]: [f64; 2]) -> [f64; 2] {
     let value = estimate.value;
     let turns = if estimate.name.starts_with("phase") {
@@ -473,32 +473,32 @@ pub(crate) fn corrected_for_selection<'a>(
     let threshold = regression.minus_ln_p_for(odds::TAKEN.chance(), fit);
     let before = (regression.base.robot.joints.len() > 1).then(|| values.clone());
     for term in regression.added(fit) {
-        let rest = worth(prepared, fit, term).rest;
-        let columns = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
+        let reduced = worth(prepared, fit, term).reduced;
+        let columns = fit.basis.rank().saturating_sub(reduced.basis.rank()).max(1);
         let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);
         let tried = 0.5 * regression.price_of_term(term);
         let share = Significance::new(columns, freedom).share_for(threshold + tried);
         let least = gain_of(share, freedom);
-        let gain = freedom * (rest.rss - fit.rss) / fit.rss.max(1e-300);
+        let gain = freedom * (reduced.rss - fit.rss) / fit.rss.max(1e-300);
         if let Some(selection) = Selection::of(gain, least, columns) {
             values.correct(term, &selection);
         }
     }
     if let Some(before) = before {
-        values.fit_the_geometry_beside(&before);
+        values.refit_geometry(&before);
     }
     values
 }
 
-/// Kurtosis and bulk of the coordinates that are left, each axis in units of its own noise.
+/// Kurtosis and bulk of the residual coordinates, each axis in units of its own noise.
 fn tails(problem: &Problem, solution: &Solution) -> (f64, f64) {
     let mut all = Vec::with_capacity(problem.rows());
     if let Some(layer) = &problem.observed {
         all.extend(whitened(layer, &solution.model).iter().map(|e| e.abs()));
     }
-    let left = deviations(problem, &solution.model);
+    let residuals = deviations(problem, &solution.model);
     let points = problem.observed.is_none();
-    for (axis, values) in left.axes_mm.iter().enumerate() {
+    for (axis, values) in residuals.axes_mm.iter().enumerate() {
         let unit = problem.axis_weights[axis].sqrt();
         let used = values.iter().zip(&problem.used);
         let counts = used.filter(|(_, used)| points && unit > 0.0 && **used);

@@ -1,5 +1,5 @@
-//! Names that stand in for one that a run leaves out (`--without`). What the name that was left out would
-//! explain as well is not explained by the other alone: the answer says so, as something unexplained.
+//! Names that imitate one that a run leaves out (`--without`). What that name would explain as well is not explained
+//! by the other alone: the answer reports it as unexplained.
 
 use crate::diagnosis::search::NEEDED;
 use crate::effects::{CATALOGUE, Effect, Term, form_in};
@@ -9,7 +9,7 @@ use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::search::prepare::PreparedSearch;
 
-/// A name that is said, and one that was left out and explains as much.
+/// A name that is reported, and one that was left out and explains as much.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct StandIn {
     pub(crate) named: String,
@@ -23,11 +23,11 @@ pub(crate) fn stand_in(prepared: &PreparedSearch, fit: &Fit) -> Option<StandIn> 
     withheld().next()?;
     let regression = &prepared.regression;
     regression.added(fit).into_iter().find_map(|term| {
-        let rest = regression.without_term(fit, term);
+        let reduced = regression.without_term(fit, term);
         let as_likely = |effect: &&&'static Effect| {
             // What a name becomes in the limit is no other name.
             effect.about().family() != term.effect.about().family()
-                && evidence_with(prepared, &rest, effect)
+                && evidence_with(prepared, &reduced, effect)
                     .is_some_and(|with| with > fit.ln_evidence - NEEDED)
         };
         let other = withheld().find(as_likely)?;
@@ -39,7 +39,7 @@ pub(crate) fn stand_in(prepared: &PreparedSearch, fit: &Fit) -> Option<StandIn> 
 }
 
 /// The largest evidence of a fit with an effect more, over its joints and settings.
-fn evidence_with(prepared: &PreparedSearch, rest: &Fit, effect: &'static Effect) -> Option<f64> {
+fn evidence_with(prepared: &PreparedSearch, reduced: &Fit, effect: &'static Effect) -> Option<f64> {
     let (regression, survey) = (&prepared.regression, &prepared.survey);
     let about = effect.about();
     let joints = if about.per_joint {
@@ -59,10 +59,10 @@ fn evidence_with(prepared: &PreparedSearch, rest: &Fit, effect: &'static Effect)
             setting,
             ..term.clone()
         };
-        let best = best_of(regression, rest, settings.into_iter().map(at))?;
+        let best = best_of(regression, reduced, settings.into_iter().map(at))?;
         Some(
             regression
-                .fit(&rest.model.with_term(best), &rest.shapes)
+                .fit(&reduced.model.with_term(best), &reduced.shapes)
                 .ln_evidence
                 - tried.ln(),
         )
@@ -71,11 +71,15 @@ fn evidence_with(prepared: &PreparedSearch, rest: &Fit, effect: &'static Effect)
 }
 
 /// The term that would lower the sum of squares most.
-fn best_of(regression: &Regression, rest: &Fit, terms: impl Iterator<Item = Term>) -> Option<Term> {
-    let there = |t: &Term| rest.model.terms().iter().any(|o| o.same_column(t));
+fn best_of(
+    regression: &Regression,
+    reduced: &Fit,
+    terms: impl Iterator<Item = Term>,
+) -> Option<Term> {
+    let there = |t: &Term| reduced.model.terms().iter().any(|o| o.same_column(t));
     let gains = terms
         .filter(|t| !there(t))
-        .map(|t| (regression.gain_of_term(rest, &t), t));
+        .map(|t| (regression.gain_of_term(reduced, &t), t));
     let best = gains.max_by(|a, b| a.0.total_cmp(&b.0))?;
     Some(best.1)
 }

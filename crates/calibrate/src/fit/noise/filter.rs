@@ -1,17 +1,17 @@
-//! The Kalman filter that whitens columns at a cost linear in the number of samples; its equations
-//! stand in [the module above](super).
+//! The Kalman filter that whitens columns at a cost linear in the number of samples; its equations are in [the parent
+//! module](super).
 
-use super::joints::{JointFilter, carried};
+use super::joints::{JointFilter, decayed};
 use crate::lanes::TOGETHER;
 
-/// What one sample does in the filter of an axis.
+/// The step of the filter of an axis at one sample.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Step {
-    /// How much of the state is left from the sample before.
+    /// The decay of the state since the sample before.
     pub decay: f64,
-    /// How much of what is new goes into the state.
+    /// The gain: the share of the innovation that goes into the state.
     pub gain: f64,
-    /// One over the standard deviation of what is new.
+    /// One over the standard deviation of the innovation.
     pub inverse_spread: f64,
 }
 
@@ -26,7 +26,7 @@ pub(super) enum Axis {
 pub struct Filter {
     pub(super) axes: Vec<Axis>,
     pub(super) samples: usize,
-    /// Where rows share what the robot did not repeat: this in the place of the axes.
+    /// Where rows of a pose share the error of repeatability: this in the place of the axes.
     pub(super) joints: Option<JointFilter>,
 }
 
@@ -70,8 +70,8 @@ impl Filter {
         });
     }
 
-    /// Scales what is white, and hands the others on: their steps, some columns, the row of an axis's first
-    /// sample and the number of rows.
+    /// Scales what is white, and passes the others on: their steps, some columns, the row of an axis's first sample
+    /// and the number of rows.
     fn through(&self, values: &mut [f64], slow: impl Fn(&[Step], &mut [f64], (usize, usize))) {
         let n = self.samples;
         let m = n * self.axes.len();
@@ -112,7 +112,7 @@ pub(super) fn steps(times: &[f64], tau: f64, sigma: f64, rms: f64) -> Vec<Step> 
     let mut variance = rms * rms;
     let mut before = f64::NAN;
     let step = |time: &f64| {
-        let decay = carried(*time - before, tau);
+        let decay = decayed(*time - before, tau);
         before = *time;
         Step::after(decay, sigma, rms, &mut variance)
     };
@@ -122,13 +122,13 @@ pub(super) fn steps(times: &[f64], tau: f64, sigma: f64, rms: f64) -> Vec<Step> 
 impl Step {
     /// The next step; `variance` is that of the state, before and after.
     #[inline]
-    pub(crate) fn after(carry: f64, sigma: f64, rms: f64, variance: &mut f64) -> Self {
+    pub(crate) fn after(decay: f64, sigma: f64, rms: f64, variance: &mut f64) -> Self {
         let (s2, white) = (rms * rms, sigma * sigma);
-        let predicted = carry * carry * *variance + s2 * (1.0 - carry * carry);
+        let predicted = decay * decay * *variance + s2 * (1.0 - decay * decay);
         let spread = predicted + white;
         *variance = predicted * white / spread;
         Self {
-            decay: carry,
+            decay,
             gain: predicted / spread,
             inverse_spread: 1.0 / spread.sqrt(),
         }

@@ -1,13 +1,14 @@
-//! What a robot does not repeat: at every pose each joint stands elsewhere by an error of its own, which all rows that
-//! are measured before the robot moves again share.
+//! Repeatability: at every pose each joint is off by an error of its own, which all rows that are measured before the
+//! robot moves again share.
 //!
 //! ```text
 //! y_k = model + J_k δ_p + w(t_k) + ε_k,   δ_p ~ N(0, s²) for each joint anew at each pose p
 //! ```
 //!
-//! `J_k` is how a row moves with the joints, so that an error of a joint is longer the farther the reflector is from it.
-//! δ is a state beside that of the slow part `w`: one Kalman filter whitens all coordinates of the samples in turn, and
-//! at a new pose knows nothing of δ again. With h the derivatives of a row by the states:
+//! `J_k` is the derivative of a row with respect to the joints, so that an error of a joint is longer the farther the
+//! reflector is from it. δ is a state in addition to that of the slow part `w`: one Kalman filter whitens all
+//! coordinates of the samples in turn, and resets δ at a new pose. With h the derivatives of a row with respect to the
+//! states:
 //!
 //! ```text
 //! S = hᵀP h + σ²,   K = P h/S,   v = y − hᵀm,   m ← m + K v,   P ← P − K (P h)ᵀ,   whitened = v/√S
@@ -31,12 +32,12 @@ pub(crate) struct Predictor {
     covariance: Vec<f64>,
 }
 
-/// What a sample does to the states before its rows are seen.
+/// The change of the states before the rows of a sample are seen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Passage {
     /// Whether the robot has moved.
     pub(crate) moved: bool,
-    /// How much of the slow part is left.
+    /// The decay of the slow part.
     pub(crate) decay: f64,
 }
 
@@ -61,14 +62,14 @@ impl Predictor {
             moved: self.before.is_none_or(|before| before.1 != pose),
             decay: self
                 .before
-                .map_or(0.0, |before| carried(time - before.0, self.time_constant_s)),
+                .map_or(0.0, |before| decayed(time - before.0, self.time_constant_s)),
         };
         self.before = Some((time, pose));
         let (joints, states) = (self.joints, self.states);
-        let left = |state: usize| passage.left(joints, state);
+        let retained = |state: usize| passage.retained(joints, state);
         for i in 0..states {
             for j in 0..states {
-                self.covariance[i * states + j] *= left(i) * left(j);
+                self.covariance[i * states + j] *= retained(i) * retained(j);
             }
             let own = if i >= joints {
                 self.slow_mm[i - joints].powi(2) * (1.0 - passage.decay * passage.decay)
@@ -82,8 +83,8 @@ impl Predictor {
         passage
     }
 
-    /// Takes one row of the sample along an axis: `row` has how it moves with the joints, and gets the derivatives by all
-    /// states, the gains, and one over the standard deviation of what is new.
+    /// Processes one row of the sample along an axis: `row` has its derivatives with respect to the joints, and
+    /// receives those with respect to all states, the gains, and one over the standard deviation of the innovation.
     pub(crate) fn take(&mut self, axis: usize, lever: impl Fn(usize) -> f64, row: &mut [f64]) {
         let states = self.states;
         let (derivatives, rest) = row.split_at_mut(states);
@@ -123,7 +124,7 @@ impl Predictor {
 }
 
 impl Passage {
-    fn left(self, joints: usize, state: usize) -> f64 {
+    fn retained(self, joints: usize, state: usize) -> f64 {
         match (state < joints, self.moved) {
             (true, true) => 0.0,
             (true, false) => 1.0,
@@ -133,21 +134,20 @@ impl Passage {
 
     fn through(self, joints: usize, states: &mut [f64]) {
         for (state, value) in states.iter_mut().enumerate() {
-            *value *= self.left(joints, state);
+            *value *= self.retained(joints, state);
         }
     }
 
     fn through_all(self, joints: usize, states: &mut [Together]) {
         for (state, values) in states.iter_mut().enumerate() {
-            let left = self.left(joints, state);
-            *values = values.map(|value| value * left);
+            let retained = self.retained(joints, state);
+            *values = values.map(|value| value * retained);
         }
     }
 }
 
-/// How much of the state is left after so long. A clock that jumps back is a restart, after an
-/// unknown time.
-pub(crate) fn carried(apart: f64, tau: f64) -> f64 {
+/// The decay of the state after so long. A clock that jumps back is a restart, after an unknown time.
+pub(crate) fn decayed(apart: f64, tau: f64) -> f64 {
     if apart >= 0.0 {
         (-apart / tau).exp()
     } else {
@@ -155,7 +155,7 @@ pub(crate) fn carried(apart: f64, tau: f64) -> f64 {
     }
 }
 
-/// What is new in a value of a row beside the states of its column, whitened; the states take it in.
+/// The whitened innovation of a value of a row given the states of its column; the states are updated.
 #[inline]
 pub(crate) fn whitened(row: &[f64], states: &mut [f64], value: f64) -> f64 {
     let (derivatives, rest) = row.split_at(states.len());
@@ -235,7 +235,8 @@ impl JointFilter {
         }
     }
 
-    /// Of a row the derivatives by the states, the gains, and one over the standard deviation of what is new.
+    /// Of a row the derivatives with respect to the states, the gains, and one over the standard deviation of the
+    /// innovation.
     fn parts(&self, sample: usize, axis: usize) -> (&[f64], &[f64], f64) {
         let width = 2 * self.states + 1;
         let at = (sample * self.axes + axis) * width;
@@ -314,8 +315,8 @@ mod tests {
     use super::*;
     use crate::fit::noise::Slow;
 
-    /// The filter whitens as the Cholesky factor of the dense covariance does, of a robot that does not repeat beside a
-    /// frame that wanders, and its transposed is its transposed.
+    /// The filter whitens as the Cholesky factor of the dense covariance does, of a robot that does not repeat exactly
+    /// and a frame that drifts, and its transpose is the factor's transpose.
     #[test]
     fn the_filter_whitens_as_the_dense_covariance_does() {
         let poses = [0, 0, 0, 1, 2, 2, 3, 3];

@@ -1,6 +1,6 @@
-//! The noise of a measurement in three layers: white along each axis (the instrument), what the robot does not repeat
-//! and all rows of a pose share (`joints`), and a part that wanders slowly in time (a tripod that settles, air, a
-//! tracker that warms up).
+//! The noise of a measurement in three layers: white along each axis (the instrument), repeatability, which all rows
+//! of a pose share (`joints`), and a part that varies slowly in time (a tripod that settles, air, a tracker that warms
+//! up).
 //!
 //! ```text
 //! y_a(t_k) = model + w_a(t_k) + ε_k,   ε ~ N(0, σ_a²),   E w_a(t) w_a(u) = s_a² exp(−|t − u|/τ)
@@ -15,12 +15,11 @@
 //! v = y − a m,      m ← a m + K v,             P = (1 − K) P⁻,  whitened = v/√S
 //! ```
 //!
-//! Time is time: a pause counts as long as it took, and where the clock jumps back (a restart) the
-//! process begins anew. Without a clock samples are taken as one unit of time apart.
+//! A pause counts as long as it took, and where the clock jumps back (a restart) the process begins again. Without a
+//! clock samples are taken as one unit of time apart.
 //!
-//! σ, s and τ are those of the largest restricted likelihood beside the columns of a fit
-//! (Patterson & Thompson 1971): restricted, so that what the fit swallows is not held against the
-//! noise.
+//! σ, s and τ are those of the largest restricted likelihood given the columns of a fit (Patterson & Thompson 1971):
+//! restricted, so that the degrees of freedom of the fit do not count for the noise.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -41,7 +40,7 @@ use crate::answers::noise::Trial;
 pub(crate) use crate::answers::noise::{Slow, StatedNoise};
 pub(crate) use filter::{Filter, Step};
 use joints::JointFilter;
-pub(crate) use joints::carried;
+pub(crate) use joints::decayed;
 
 /// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on the axes
 /// differ: p < 0.0004.
@@ -53,11 +52,11 @@ const UNEQUAL_EVIDENCE: f64 = 16.0;
 /// 0 of 40 sessions of white noise of `hidden_effects slow` exceed it.
 const SLOW_EVIDENCE: f64 = 12.0;
 
-/// Estimates from a few hundred samples differ by this: of what is slow and of what the joints do not repeat …
+/// Estimates from a few hundred samples differ by this: of the slow part and of repeatability …
 const ALIKE: f64 = 0.1;
 /// … of time constants, as logarithms …
 const ALIKE_TIMES: f64 = 0.5;
-/// … and of the sizes of the axes, which all samples tell.
+/// … and of the sizes of the axes, which all samples determine.
 const ALIKE_SIZES: f64 = 0.05;
 /// Ratios of axes beyond this are something that the model lacks, not noise.
 const MOST_UNEQUAL: f64 = 10.0;
@@ -65,15 +64,15 @@ const MOST_UNEQUAL: f64 = 10.0;
 const SHARES: [f64; 6] = [0.1, 1.0, 10.0, 100.0, 1e3, 1e4];
 /// Factors of the search around the likeliest: each about the square root of the one before it.
 const CLOSER_SHARES: [f64; 4] = [3.2, 1.8, 1.3, 1.15];
-/// What a slow part pays for each of its numbers (a time constant and a size for each axis), as a
-/// logarithm: each is known to about a factor of two within a range of some hundred to one:
+/// The penalty of a slow part for each of its parameters (a time constant and a size for each axis), as a logarithm:
+/// each is known to about a factor of two within a range of some hundred to one:
 /// ln(4.6/(0.7 √(2π))) ≈ 1. (Laplace's ½ ln m is that of a mean over all rows, which a variance of a
 /// few slow swings is not.)
 /// Without it sizes by axis follow chance, and intervals in sweeps held in 89 instead of 92 %.
 pub(crate) const PRICE_OF_A_VARIANCE: f64 = 1.0;
 
-/// The least of the white part beside what the joints do not repeat, mm. Where every row has a pose of its own the joints
-/// could do all that it does: then it is at least what is stated of the instrument.
+/// The least of the white part together with repeatability, mm. Where every row has a pose of its own the joints could
+/// explain all of it: then it is at least what is stated of the instrument.
 fn least_white_mm(stated: Option<Sigma>, rows: &Rows) -> f64 {
     match stated {
         Some(sigma) if rows.inputs.pose.is_none() => {
@@ -94,7 +93,7 @@ fn is_slow(trial: &Trial, white: f64) -> bool {
 }
 
 impl Noise {
-    /// From raw residuals and the columns of the fit that left them.
+    /// From raw residuals and the columns of the fit that they belong to.
     pub fn estimate(
         stated: Option<Sigma>,
         rows: &Rows,
@@ -104,7 +103,7 @@ impl Noise {
         Self::likeliest(stated, rows, (residual, columns), false, true)
     }
 
-    /// The same with everything that it may be besides, for intervals: a search does without.
+    /// The same with its alternatives, for intervals: a search does without.
     pub fn estimate_with_alternatives(
         stated: Option<Sigma>,
         rows: &Rows,
@@ -165,15 +164,15 @@ impl Noise {
             {
                 // What wanders is the same in the rows of a pose as well.
                 let sigma = noise.sigma_mm;
-                let beside = NoiseShape {
+                let shape = NoiseShape {
                     tau,
                     ratio,
                     sigma,
                     joints_rad: 0.0,
                 };
-                let alone = restricted.likelihood(beside);
+                let alone = restricted.likelihood(shape);
                 let Some((joints_rad, likelihood)) =
-                    noise.unrepeated(&restricted, beside, alone, least_mm)
+                    noise.unrepeated(&restricted, shape, alone, least_mm)
                 else {
                     return Self::likeliest(
                         stated,
@@ -216,8 +215,8 @@ impl Noise {
         noise.scaled(scale).at_least(rows.digits_mm)
     }
 
-    /// What the joints do not repeat beside a noise of so much likelihood, and the likelihood with it; `None` where the
-    /// rows show none of it. The white part stays as large as `least_mm`.
+    /// Repeatability given a noise of so much likelihood, and the likelihood with it; `None` where the rows show none
+    /// of it. The white part stays as large as `least_mm`.
     fn unrepeated(
         &self,
         restricted: &Restricted,
@@ -228,11 +227,11 @@ impl Noise {
         let unit = self.total_mm(&restricted.axes) / restricted.lever_mm()?;
         let at = |ratio: f64| {
             let joints_rad = unit * ratio.sqrt();
-            let beside = NoiseShape {
+            let shape = NoiseShape {
                 joints_rad,
                 ..shape
             };
-            let (likelihood, scale) = restricted.likelihood_and_scale(beside);
+            let (likelihood, scale) = restricted.likelihood_and_scale(shape);
             let possible = scale * self.total_mm(&restricted.axes) >= least_mm;
             (
                 ratio,
@@ -258,7 +257,7 @@ impl Noise {
             .then(|| (unit * best.0.sqrt(), best.1))
     }
 
-    /// Sizes of the axes relative to each other, where they clearly differ beside a slow part.
+    /// Sizes of the axes relative to each other, where they clearly differ given a slow part.
     fn balance_axes(&mut self, restricted: &Restricted, slow: NoiseShape) {
         let mut stated = self.unequal;
         for _ in 0..2 {
@@ -284,8 +283,8 @@ impl Noise {
         }
     }
 
-    /// The noises that the residuals allow besides, with their shares; intervals are averaged over
-    /// them. The first is this one where it is the only one.
+    /// The alternative noises that the residuals allow, with their weights; intervals are averaged over them. The
+    /// first is this one where it is the only one.
     pub(crate) fn possible(&self) -> Vec<(f64, Self)> {
         let one = |(share, tau, ratio): &(f64, f64, [f64; 3])| {
             let rms = |axis: usize| ratio[axis].sqrt() * self.sigma_mm[axis];

@@ -1,5 +1,5 @@
-//! The likeliest slow part, and what else it may be: the likelihood over time constants and
-//! variances, on a grid and closer around its maximum.
+//! The likeliest slow part, and its alternatives: the likelihood over time constants and variances, on a grid and
+//! refined around its maximum.
 
 use super::restricted::{NoiseShape, Restricted};
 use super::{Noise, PRICE_OF_A_VARIANCE};
@@ -7,19 +7,19 @@ use crate::answers::noise::Trial;
 
 /// Variances of the slow part that are tried first, in units of the white part's.
 const RATIOS: [f64; 4] = [0.1, 0.6, 4.0, 60.0];
-/// The largest: what is left of the white part is a thousandth.
+/// The largest: the white part is then a thousandth.
 const MOST_RATIO: f64 = 1e3;
 /// Factors of the search around the likeliest.
 const CLOSER: [f64; 3] = [2.0, 1.4, 1.2];
 /// Cells that share the probability, at least, if they are to be small enough …
-/// With fewer, cells are wider than what the residuals tell; all others stay, as the tail
-/// towards a large slow part is what widens an interval.
+/// With fewer, cells are wider than the resolution of the residuals; all others are kept, as the tail towards a large
+/// slow part is what widens an interval.
 const FEWEST_CELLS: f64 = 6.0;
 /// … for which the largest are divided so many times at most.
 const DIVISIONS: usize = 6;
 /// A cell with less of the probability is not divided.
 const WORTH_DIVIDING: f64 = 0.02;
-/// So many alternatives stand for all: more cost more than they say.
+/// So many alternatives represent all: more cost more than they add.
 const MOST_ALTERNATIVES: usize = 12;
 
 impl Noise {
@@ -116,7 +116,7 @@ impl Noise {
         white: f64,
         likeliest: Option<Trial>,
     ) -> Vec<Trial> {
-        // The axes alike, or beside one another as the likeliest slow part has them.
+        // All axes alike, or in the proportions of the likeliest slow part.
         let mut shapes = vec![([1.0; 3], 1.0)];
         let clear = likeliest.filter(|b| super::is_slow(b, white));
         if let Some((_, _, ratio)) = clear.filter(|b| b.2.iter().any(|r| *r != b.2[0])) {
@@ -192,7 +192,7 @@ impl Noise {
     }
 }
 
-/// What it costs that the axes have slow parts of different sizes.
+/// The penalty of slow parts of different sizes along the axes.
 fn price_of_shapes(restricted: &Restricted) -> f64 {
     PRICE_OF_A_VARIANCE * (restricted.axes.len() as f64 - 1.0)
 }
@@ -202,11 +202,11 @@ fn price_of_shapes(restricted: &Restricted) -> f64 {
 struct Cell {
     tau: f64,
     ratio: f64,
-    /// Variances of the slow part beside one another, of mean 1.
+    /// Variances of the slow part of the axes, of mean 1.
     shape: [f64; 3],
     /// In ln τ and ln r.
     widths: [f64; 2],
-    /// What it has of the probability before anything was measured.
+    /// Its prior probability.
     area: f64,
     ln_mass: f64,
 }

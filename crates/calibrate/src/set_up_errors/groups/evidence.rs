@@ -1,16 +1,16 @@
-//! How sure it is that a group of samples is elsewhere.
+//! The evidence that a group of samples is elsewhere.
 
 use crate::set_up_errors::thresholds::EVIDENCE;
 use crate::text::Text;
 use crate::text::length;
 
-/// The share of the error that a place that is elsewhere has to leave.
-pub(super) const LEAVES: f64 = 0.6;
+/// The largest share of the error that may remain where a place is elsewhere.
+pub(super) const RESIDUAL_SHARE: f64 = 0.6;
 
 /// Of more places than these the trials, each a fit of all of them, would take longer than the answer.
 pub(super) const MOST_PLACES: usize = 64;
 
-/// How much likelier samples are of which so many leave less, beside more numbers.
+/// The log odds of so many samples whose residuals fall, with more parameters.
 pub(in crate::set_up_errors) fn evidence(
     samples: usize,
     axes: usize,
@@ -23,9 +23,9 @@ pub(in crate::set_up_errors) fn evidence(
     gain - 0.5 * numbers as f64 * rows.max(2.0).ln()
 }
 
-/// Whether that is enough for belief, where no more than this share of the error may be left.
-pub(super) fn is_believed(evidence: f64, before_mm: f64, after_mm: f64, leaves: f64) -> bool {
-    evidence > EVIDENCE && after_mm < leaves * before_mm
+/// Whether that is enough to be reported, where no more than this share of the error may remain.
+pub(super) fn is_believed(evidence: f64, before_mm: f64, after_mm: f64, share: f64) -> bool {
+    evidence > EVIDENCE && after_mm < share * before_mm
 }
 
 pub(super) fn in_numbers(before_mm: f64, after_mm: f64) -> Text {

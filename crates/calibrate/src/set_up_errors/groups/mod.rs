@@ -1,9 +1,8 @@
-//! Places that samples share and that are elsewhere than they should be: a target in the tool, a socket
-//! on the table, a setup, a station, a plane, an anchor. One place that is off spreads over everything that is
-//! fitted beside it.
+//! Places that samples share and that are elsewhere than they should be: a target in the tool, a socket on the table,
+//! a setup, a station, a plane, an anchor. One place that is off affects everything that is fitted with it.
 //!
-//! Each is set free by itself, with the whole base model beside it, and believed where the samples are
-//! likelier by far then, leave clearly less, and the place is off by more than what is known of it.
+//! Each is freed alone, together with the whole base model, and reported where the samples are much likelier then, the
+//! residuals clearly smaller, and the place is off by more than its uncertainty.
 
 #![allow(
     clippy::cast_possible_truncation,
@@ -23,9 +22,9 @@ use crate::sessions::Session;
 pub(super) use evidence::evidence;
 pub(super) use targets::problem as target_elsewhere;
 
-/// With fewer samples nothing is told.
+/// With fewer samples nothing is reported.
 const FEWEST_SAMPLES: usize = 16;
-/// Names that are exchanged hide what else is elsewhere: so often the search begins anew with the right ones.
+/// Exchanged names hide other places that are elsewhere: so often the search is repeated with the right ones.
 const MOST_RENAMED: usize = 3;
 
 /// The places that are elsewhere.
@@ -39,12 +38,12 @@ pub(super) fn elsewhere(session: &Session, values: JointValues) -> Vec<DataProbl
         let Some(placed) = placed::placed(&now, values) else {
             break;
         };
-        for mend in placed
+        for correction in placed
             .problems
             .iter()
             .filter_map(|problem| problem.mend.as_ref())
         {
-            mend.apply(&mut now);
+            correction.apply(&mut now);
         }
         problems.extend(placed.problems);
         if !placed.is_renamed {

@@ -1,9 +1,9 @@
-//! Groups of samples that are elsewhere as a whole: a socket, a target, a setup that was moved between two visits,
-//! a station, a plane, an anchor that is not where the session says.
+//! Groups of samples that are elsewhere as a whole: a socket, a target, a setup that was moved between two visits, a
+//! station, a plane, an anchor that is not where the session states.
 //!
-//! What the base model leaves of every group is regressed on the numbers that say where the group is, before a row
-//! and from it on; where that explains much, the group is taken as two, or its place as unknown, and everything is
-//! fitted again. Only what that fit leaves is believed.
+//! The residuals of every group in the base model are regressed on the coordinates of its place, before a row and from
+//! it on; where that explains much, the group is split in two, or its place is taken as unknown, and everything is
+//! fitted again. Only the residuals of that fit decide.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -17,22 +17,22 @@ use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::Text;
 
 use super::evidence::MOST_PLACES;
-use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
+use super::evidence::{RESIDUAL_SHARE, evidence, in_numbers, is_believed};
 use crate::set_up_errors::fits::fitted;
 use crate::set_up_errors::thresholds::{EVIDENCE, MOST_SAMPLES};
 
-/// At most so many groups are taken to have moved; of most of them none is known to stand still.
+/// At most so many groups are taken to have moved; if most of them had, none would be a reference.
 const MOST_MOVED: usize = 4;
 /// So many suspicions are tried before the next is believed.
 const MOST_TRIED: usize = 3;
 /// Fewest samples on either side of a move …
 const FEWEST: usize = 3;
-/// … and so many measured numbers for each that says where the group is: three distances have a place however wild
-/// they are.
+/// … and so many measured numbers for each of its coordinates: three distances determine a place however wrong they
+/// are.
 const NUMBERS_FOR_EACH: usize = 2;
-/// A socket alone, of which several move, need not carry the whole error: it has to leave less than this share of
-/// it. Another group takes up a part of many an effect, and has to leave as little as any place.
-const SOCKET_LEAVES: f64 = 0.9;
+/// A socket alone, of which several move, need not explain the whole error: the residual has to fall to less than this
+/// share. Another group absorbs a part of many an effect, and has to explain as much as any place.
+const SOCKET_RESIDUAL_SHARE: f64 = 0.9;
 /// What the regression explains as a logarithm before a fit is made. The base has taken up a part of a move, so
 /// that a fit shows more.
 const WORTH_A_FIT: f64 = EVIDENCE / 3.0;
@@ -42,7 +42,7 @@ struct Suspicion {
     gain: f64,
     group: Group,
     index: usize,
-    /// The first row that is elsewhere; `None`: all are, and the session says otherwise.
+    /// The first row that is elsewhere; `None`: all are, and the session states otherwise.
     from: Option<usize>,
 }
 
@@ -72,11 +72,11 @@ pub(super) struct Moved {
     /// The session with the groups that moved taken as two each, and with those free that are elsewhere; all targets
     /// are free where one of them moved.
     pub(super) session: Session,
-    /// What it fits, and what that leaves and left before, mm.
+    /// The fitted model, and its residual and the one before, mm.
     pub(super) model: Model,
     pub(super) before_mm: f64,
-    pub(super) left_mm: f64,
-    /// What there is to say, in the order in which the corrections are made.
+    pub(super) residual_mm: f64,
+    /// What is reported, in the order in which the corrections are made.
     pub(super) problems: Vec<DataProblem>,
 }
 
@@ -102,18 +102,18 @@ pub(super) fn moved(session: &Session, values: JointValues) -> Option<Moved> {
         let tried = suspicions.take(MOST_TRIED);
         let tried =
             tried.filter_map(|suspicion| FittedSuspicion::of(suspicion, here, values, before));
-        let Some(best) = tried.min_by(|a, b| a.left_mm.total_cmp(&b.left_mm)) else {
+        let Some(best) = tried.min_by(|a, b| a.residual_mm.total_cmp(&b.residual_mm)) else {
             break;
         };
-        let numbers = in_numbers(before, best.left_mm);
+        let numbers = in_numbers(before, best.residual_mm);
         problems.push(problem(here, &best.suspicion, numbers));
-        (now, model, before) = (Some(best.session), best.model, best.left_mm);
+        (now, model, before) = (Some(best.session), best.model, best.residual_mm);
     }
     Some(Moved {
         session: now?,
         model,
         before_mm,
-        left_mm: before,
+        residual_mm: before,
         problems,
     })
 }
@@ -123,7 +123,7 @@ struct FittedSuspicion {
     suspicion: Suspicion,
     session: Session,
     model: Model,
-    left_mm: f64,
+    residual_mm: f64,
 }
 
 impl FittedSuspicion {
@@ -135,28 +135,28 @@ impl FittedSuspicion {
     ) -> Option<Self> {
         let group = suspicion.group;
         let trial = suspicion.trial(session);
-        let (model, left_mm) = fitted(&trial, values)?;
+        let (model, residual_mm) = fitted(&trial, values)?;
         let free = match group {
             Group::Target => session.targets.len(),
             _ => 1,
         };
         let numbers = free * numbers_of(group) + 1;
         let samples = session.samples.len();
-        let evidence = evidence(samples, rows_of(group), before_mm, left_mm, numbers);
-        let leaves = match group {
-            Group::Socket => SOCKET_LEAVES,
-            _ => LEAVES,
+        let evidence = evidence(samples, rows_of(group), before_mm, residual_mm, numbers);
+        let share = match group {
+            Group::Socket => SOCKET_RESIDUAL_SHARE,
+            _ => RESIDUAL_SHARE,
         };
-        is_believed(evidence, before_mm, left_mm, leaves).then_some(Self {
+        is_believed(evidence, before_mm, residual_mm, share).then_some(Self {
             suspicion,
             session: trial,
             model,
-            left_mm,
+            residual_mm,
         })
     }
 }
 
-/// How many numbers say where a group is.
+/// The number of coordinates of a group's place.
 fn numbers_of(group: Group) -> usize {
     match group {
         Group::Target | Group::Socket | Group::Anchor | Group::Plane => 3,
@@ -182,7 +182,7 @@ fn suspicions(
 ) -> Vec<Suspicion> {
     let all = compared_with(session, values, model);
     let square: f64 = all.iter().map(square_of).sum();
-    let rows: usize = all.iter().map(|one| one.left.rows).sum();
+    let rows: usize = all.iter().map(|one| one.residual.rows).sum();
     let mut found = Vec::new();
     for &group in groups {
         for index in 0..group.count(session) {
@@ -194,10 +194,10 @@ fn suspicions(
             let Some((explained, from)) = best_of(session, group, &own, stated) else {
                 continue;
             };
-            let left = (square - explained)
+            let residual = (square - explained)
                 .max(1e-9 * square)
                 .max(f64::MIN_POSITIVE);
-            let gain = 0.5 * rows as f64 * (square / left).ln();
+            let gain = 0.5 * rows as f64 * (square / residual).ln();
             if gain > WORTH_A_FIT {
                 found.push(Suspicion {
                     gain,
@@ -213,8 +213,8 @@ fn suspicions(
 }
 
 fn square_of(one: &ComparedObservation) -> f64 {
-    let rows = one.left.rows;
-    one.left.left[..rows].iter().map(|e| e * e).sum()
+    let rows = one.residual.rows;
+    one.residual.left[..rows].iter().map(|e| e * e).sum()
 }
 
 /// Where two places of a group, or one where the session states another, explain most.
@@ -256,7 +256,7 @@ fn best_of(
 }
 
 fn mean_square(own: &[&ComparedObservation]) -> f64 {
-    let rows: usize = own.iter().map(|one| one.left.rows).sum();
+    let rows: usize = own.iter().map(|one| one.residual.rows).sum();
     own.iter().map(|one| square_of(one)).sum::<f64>() / rows.max(1) as f64
 }
 
@@ -270,7 +270,7 @@ fn is_of_all(session: &Session, group: Group, from: usize) -> bool {
     (from..session.samples.len()).all(|row| group.of(session, row) == own)
 }
 
-/// Products of a group's numbers with themselves and with what is left.
+/// Products of a group's columns with themselves and with the residuals.
 #[derive(Debug, Clone, Default)]
 struct Sums {
     gram: SMatrix<f64, MOST, MOST>,
@@ -280,10 +280,10 @@ struct Sums {
 impl Sums {
     fn add(&mut self, one: &ComparedObservation, group: Group) {
         let by = one.by(group);
-        for (row, by) in by.iter().enumerate().take(one.left.rows) {
+        for (row, by) in by.iter().enumerate().take(one.residual.rows) {
             let by = SVector::<f64, MOST>::from_column_slice(by);
             self.gram += by * by.transpose();
-            self.pull += by * one.left.left[row];
+            self.pull += by * one.residual.left[row];
         }
     }
 
@@ -296,7 +296,7 @@ impl Sums {
 
     /// By how much the sum of squares falls where the numbers are free.
     fn explained(&self) -> f64 {
-        // Numbers of different units: each in units of what it does.
+        // Numbers of different units: each scaled by its effect on the rows.
         let scale = SVector::<f64, MOST>::from_fn(|k, _| {
             let own = self.gram[(k, k)].sqrt();
             if own > 0.0 { 1.0 / own } else { 0.0 }

@@ -1,8 +1,8 @@
-//! Which targets are where the session says, once a fit with all of them free has shown where they are.
+//! Which targets are where the session states, once a fit with all of them free has shown where they are.
 //!
-//! Those that are stay where they are stated: they say where the tool is. One that is elsewhere is free, from the row
-//! on from which it is. Where its samples lie at the stated place of another, their names are wrong. Where nothing
-//! tells which targets are at their places, all are known no better than they agree.
+//! Those that are keep their stated places: they determine the tool. One that is elsewhere is free, from the row on
+//! from which it is. Where its samples lie at the stated place of another, their names are wrong. Where the samples do
+//! not determine which targets are at their places, all get the uncertainty by which they disagree.
 
 use std::collections::BTreeSet;
 
@@ -18,10 +18,10 @@ use crate::model::Model;
 use crate::sessions::{Group, Session, SessionCorrection};
 use crate::text::{Text, length};
 
-use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
+use super::evidence::{RESIDUAL_SHARE, evidence, in_numbers, is_believed};
 use super::moved::{Moved, moved};
 use super::targets::{self, AS_WELL, Contradicted, contradicted};
-use crate::set_up_errors::fits::left_mm;
+use crate::set_up_errors::fits::residual_mm;
 
 /// What was found elsewhere.
 pub(super) struct Placed {
@@ -48,7 +48,7 @@ struct Shown<'a> {
     free: Session,
     model: Model,
     before_mm: f64,
-    left_mm: f64,
+    residual_mm: f64,
     /// What moved.
     problems: Vec<DataProblem>,
     /// Of which target each new one is, in order.
@@ -71,7 +71,7 @@ impl<'a> Shown<'a> {
             free: moved.session,
             model: moved.model,
             before_mm: free.map_or(moved.before_mm, |free| free.before_mm),
-            left_mm: moved.left_mm,
+            residual_mm: moved.residual_mm,
             problems: moved.problems,
             is_of_targets: free.is_some() || !origins.is_empty(),
             origins,
@@ -84,7 +84,7 @@ impl<'a> Shown<'a> {
             free: free.session,
             model: free.model,
             before_mm: free.before_mm,
-            left_mm: free.left_mm,
+            residual_mm: free.residual_mm,
             problems: Vec::new(),
             origins: Vec::new(),
             is_of_targets: true,
@@ -144,8 +144,8 @@ impl<'a> Shown<'a> {
         }
         let session = self.with(&problems);
         // What was taken for their places explains the samples as free ones do, or they are not.
-        let left = left_mm(&session, values).unwrap_or(f64::INFINITY);
-        if left > AS_WELL * self.left_mm {
+        let residual_mm = residual_mm(&session, values).unwrap_or(f64::INFINITY);
+        if residual_mm > AS_WELL * self.residual_mm {
             return Some(self.open(&seen, &stated));
         }
         Some(Placed {
@@ -157,19 +157,19 @@ impl<'a> Shown<'a> {
     /// The session with the corrections of these problems.
     fn with(&self, problems: &[DataProblem]) -> Session {
         let mut session = self.session.clone();
-        for mend in problems.iter().filter_map(|problem| problem.mend.as_ref()) {
-            mend.apply(&mut session);
+        for correction in problems.iter().filter_map(|problem| problem.mend.as_ref()) {
+            correction.apply(&mut session);
         }
         session
     }
 
     fn elsewhere(&self, target: usize, by_mm: Vector3<f64>) -> DataProblem {
-        let numbers = in_numbers(self.before_mm, self.left_mm);
-        let mend = SessionCorrection::Free {
+        let numbers = in_numbers(self.before_mm, self.residual_mm);
+        let correction = SessionCorrection::Free {
             group: Group::Target,
             index: target,
         };
-        targets::problem(self.session, target, by_mm, numbers, mend)
+        targets::problem(self.session, target, by_mm, numbers, correction)
     }
 
     /// All targets known no better than they agree.
@@ -183,7 +183,7 @@ impl<'a> Shown<'a> {
                 "{things}: nothing tells which is where the session states; their places in the tool disagree by {size}",
                 things = Text::listed(names.iter().map(called), ", "),
                 size = length(across, 3)
-            ), in_numbers(self.before_mm, self.left_mm), text!(
+            ), in_numbers(self.before_mm, self.residual_mm), text!(
                 "where the tool is, is known no better than that; measure where the targets sit, and correct the session"
             ), SessionCorrection::TargetsWithin(sigma_between(
                 across,
@@ -211,11 +211,11 @@ impl<'a> Shown<'a> {
         let mut session = self.session.clone();
         SessionCorrection::RenameTargets(rows.iter().map(|r| (r.0, r.2)).collect())
             .apply(&mut session);
-        let left = left_mm(&session, values)?;
+        let residual_mm = residual_mm(&session, values)?;
         let samples = session.samples.len();
         let axes = session.samples.axes();
-        let evidence = evidence(samples, axes, self.before_mm, left, 1 + pairs.len());
-        if !is_believed(evidence, self.before_mm, left, LEAVES) {
+        let evidence = evidence(samples, axes, self.before_mm, residual_mm, 1 + pairs.len());
+        if !is_believed(evidence, self.before_mm, residual_mm, RESIDUAL_SHARE) {
             return None;
         }
         let mut problems = Vec::new();
@@ -236,7 +236,7 @@ impl<'a> Shown<'a> {
                 evidence: text!(
                     "the base model leaves {before} as it stands and {after} with the right names; more than 1000 times likelier",
                     before = length(self.before_mm, 3),
-                    after = length(left, 3)
+                    after = length(residual_mm, 3)
                 ),
                 proposal: text!("the names are corrected in these samples; correct them in the file"),
                 samples: rows.iter().map(|row| row.0).collect(),

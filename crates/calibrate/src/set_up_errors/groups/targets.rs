@@ -1,4 +1,4 @@
-//! Targets that do not sit in the tool where the session says.
+//! Targets that are not at their stated places in the tool.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -13,28 +13,28 @@ use crate::sessions::{Session, SessionCorrection};
 use crate::text::{Text, components, length};
 
 use super::evidence::MOST_PLACES;
-use super::evidence::{LEAVES, evidence, in_numbers, is_believed};
+use super::evidence::{RESIDUAL_SHARE, evidence, in_numbers, is_believed};
 use crate::set_up_errors::fits::{fitted, fitted_from, some_samples};
-use crate::set_up_errors::thresholds::{GROSS_SHARE, MENDED_SHARE};
+use crate::set_up_errors::thresholds::{CORRECTED_SHARE, GROSS_SHARE};
 
-/// A place is off beyond so many standard deviations of what is known of it.
+/// A place is off beyond so many standard deviations of what is stated.
 const OFF: f64 = 4.0;
-/// How often the weights are made anew that leave as many targets as possible where they are said to be.
+/// Iterations of the reweighting that keeps as many targets as possible at their stated places.
 const ROUNDS: usize = 12;
-/// Below this a target is where it is said to be, for those weights, mm.
+/// Below this distance a target counts as at its stated place, for those weights, mm.
 const STILL_MM: f64 = 0.02;
 /// How much more the first target is held than the others.
 const FIRST: f64 = 3.0;
-/// A turned tool that leaves no more than so many times as much as free targets explains them.
+/// A turned tool explains the samples as well if its residual is at most so many times that of free targets.
 pub(super) const AS_WELL: f64 = 1.15;
 
 /// A session of an arm with its targets free, where they contradict what it states of them.
 pub(super) struct Contradicted {
     pub(super) session: Session,
-    /// What it fits, and what that leaves and the session as it stands, mm.
+    /// The fitted model, its residual and that of the session as stated, mm.
     pub(super) model: Model,
     pub(super) before_mm: f64,
-    pub(super) left_mm: f64,
+    pub(super) residual_mm: f64,
 }
 
 /// The targets of a single axis that are elsewhere.
@@ -56,7 +56,7 @@ fn stated_sigma(session: &Session) -> Option<f64> {
     (several && targets.iter().any(|target| *target != first)).then_some(sigma)
 }
 
-/// Whether the samples of an arm are likelier by far with its targets free, and leave clearly less.
+/// Whether the samples of an arm are much likelier with its targets free, and their residuals clearly smaller.
 pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Contradicted> {
     stated_sigma(session)?;
     if !base_model::is_arm(session) {
@@ -70,11 +70,15 @@ pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Con
     let axes = part.samples.axes();
     let places = own_parts(&model).len();
     let evidence = evidence(part.samples.len(), axes, before, after, axes * places);
-    // A robot that is this far off is one with a wrong unit that free places would only hide, unless next to
-    // nothing is left with them.
+    // A robot that is this far off is one with a wrong unit that free places would only hide, unless the residual
+    // nearly vanishes with them.
     let gross = GROSS_SHARE * part.robot.length_along_links_mm();
-    let leaves = if before > gross { MENDED_SHARE } else { LEAVES };
-    if !is_believed(evidence, before, after, leaves) || after > gross {
+    let share = if before > gross {
+        CORRECTED_SHARE
+    } else {
+        RESIDUAL_SHARE
+    };
+    if !is_believed(evidence, before, after, share) || after > gross {
         return None;
     }
     if turned_mm(&stated, values).is_some_and(|turned| turned < AS_WELL * after) {
@@ -86,20 +90,20 @@ pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Con
         session: free,
         model,
         before_mm: before,
-        left_mm: after,
+        residual_mm: after,
     })
 }
 
-/// What the base model leaves with every target where the session says, mm.
+/// The residual of the base model with every target where the session states it, mm.
 fn as_stated_mm(part: &Session, values: JointValues) -> Option<f64> {
-    left_mm(part, values, |start| {
+    residual_mm(part, values, |start| {
         start.without(|t| t.effect.about().setting == Setting::Target && t.setting > 0.0)
     })
 }
 
-/// What it leaves where the tool is mounted turned, mm.
+/// Its residual where the tool is mounted turned, mm.
 fn turned_mm(part: &Session, values: JointValues) -> Option<f64> {
-    left_mm(part, values, |start| {
+    residual_mm(part, values, |start| {
         let start =
             start.without(|t| t.effect.about().setting == Setting::Target && t.setting > 0.0);
         let id = TOOL_ORIENTATION.about().id;
@@ -111,7 +115,11 @@ fn turned_mm(part: &Session, values: JointValues) -> Option<f64> {
     })
 }
 
-fn left_mm(part: &Session, values: JointValues, change: impl Fn(Model) -> Model) -> Option<f64> {
+fn residual_mm(
+    part: &Session,
+    values: JointValues,
+    change: impl Fn(Model) -> Model,
+) -> Option<f64> {
     Some(fitted_from(part, values, change)?.1)
 }
 
@@ -131,26 +139,27 @@ fn of_one_axis(
     if off.is_empty() {
         return None;
     }
-    let mend = |(target, by): &(usize, Vector3<f64>)| SessionCorrection::MoveTarget {
+    let correction = |(target, by): &(usize, Vector3<f64>)| SessionCorrection::MoveTarget {
         target: *target,
         by_mm: (*by).into(),
     };
     let mut moved = part.clone();
     for one in &off {
-        mend(one).apply(&mut moved);
+        correction(one).apply(&mut moved);
     }
     let (_, after) = fitted(&moved, values)?;
     let axes = part.samples.axes();
     let evidence = evidence(part.samples.len(), axes, before, after, axes * off.len());
     let of_target = |one: &(usize, Vector3<f64>)| {
         let numbers = in_numbers(before, after);
-        problem(session, one.0, one.1, numbers, mend(one))
+        problem(session, one.0, one.1, numbers, correction(one))
     };
-    is_believed(evidence, before, after, LEAVES).then(|| off.iter().map(of_target).collect())
+    is_believed(evidence, before, after, RESIDUAL_SHARE)
+        .then(|| off.iter().map(of_target).collect())
 }
 
-/// How far each target is from its place, tool frame, mm, beside the base model: as few as possible are
-/// off (iteratively reweighted least squares for the sum of the lengths, Daubechies et al. 2010).
+/// How far each target is from its place, tool frame, mm, given the base model: as few as possible are off
+/// (iteratively reweighted least squares for the sum of the lengths, Daubechies et al. 2010).
 fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vector3<f64>>> {
     let problem = Problem::new(part, values);
     let rows = Rows::of(&problem);
@@ -204,7 +213,7 @@ fn offsets(part: &Session, values: JointValues, model: &Model) -> Option<Vec<Vec
                 let at = own + 3 * target + along;
                 step[at] / scale[at]
             });
-            // Of two that moved against each other the one that is named first stands.
+            // Of two that moved against each other the one that is named first is kept.
             let first = if target == 0 { FIRST } else { 1.0 };
             weight[target] = first / by[target].norm().max(STILL_MM);
         }
@@ -217,7 +226,7 @@ pub(in crate::set_up_errors) fn problem(
     target: usize,
     by: Vector3<f64>,
     evidence: Text,
-    mend: SessionCorrection,
+    correction: SessionCorrection,
 ) -> DataProblem {
     let name = session.targets.get(target).map_or("", |t| t.name.as_str());
     let size = by.norm();
@@ -233,7 +242,7 @@ pub(in crate::set_up_errors) fn problem(
             "its place is fitted (moved by {by}); measure it, or state in the session how certain it is",
             by = components(by.into(), 3)
         ),
-        mend: Some(mend),
+        mend: Some(correction),
         samples: samples
             .filter(|(_, own)| **own as usize == target)
             .map(|(row, _)| row)

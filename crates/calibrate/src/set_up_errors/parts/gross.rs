@@ -1,14 +1,14 @@
-//! Mistakes in a part of the rows that are seen beside the robot as it was drawn.
+//! Mistakes in a part of the rows that are visible with the nominal robot.
 //!
 //! ```text
 //! C(change, part) = Σ_i ½(ν + 3) ln(1 + r_i²/(ν σ²)) + 3 n ln σ − 3 Σ_part ln|factor| + price,
 //! ```
 //!
 //! `r_i` the distance of the point of row i from where the nominal robot has it, with the change where row i is in the
-//! part, wherever the instrument stands. Every change is tried in every part: a setup, a stretch between eighths of the
-//! rows, all of them. The ends of the likeliest stretches are then those rows between which the change gains most. What
-//! is likelier by far than the session as it stands, and leaves these rows as near as the others, is judged by the fitted
-//! robot.
+//! part, wherever the instrument is. Every change is tried in every part: a setup, a stretch between eighths of the
+//! rows, all of them. The ends of the likeliest stretches are then those rows between which the change gains most. A
+//! change that is much likelier than the uncorrected session, and leaves these rows as near as the others, is tested
+//! with the fitted robot.
 
 use nalgebra::{Isometry3, Vector3};
 
@@ -23,7 +23,7 @@ use crate::text::{Text, length};
 use crate::set_up_errors::changes::{Change, of_rows};
 use crate::set_up_errors::fits;
 use crate::set_up_errors::groups::{self, evidence};
-use crate::set_up_errors::nearest::{Nominal, Pair, cost, cost_of, left, motion};
+use crate::set_up_errors::nearest::{Nominal, Pair, cost, cost_of, distance, motion};
 use crate::set_up_errors::rows::{Part, RowsInOrder};
 use crate::set_up_errors::thresholds::{EQUAL, EVIDENCE, GROSS_SHARE, PLAUSIBLE_SHARE};
 
@@ -37,10 +37,10 @@ const FEWEST_ROWS: usize = 16;
 const FEWEST_IN_A_PART: usize = 4;
 /// Ends of stretches that are tried.
 const GRID: usize = 8;
-/// Rows that are corrected leave at most so many times what the others leave, and have left at least as many times
-/// more before.
+/// The residuals of corrected rows are at most so many times those of the others, and were at least as many times
+/// larger before.
 const ALIKE: f64 = 4.0;
-/// Changes within so much of the likeliest, as a logarithm, are told apart by a fit.
+/// Changes within so much of the likeliest, as a logarithm, are compared by a fit.
 const NEAR: f64 = 12.0;
 /// So many are fitted.
 const MOST_FITTED: usize = 4;
@@ -67,12 +67,15 @@ struct Seen {
 }
 
 impl Seen {
-    fn of(part: &Session, values: JointValues, mends: &[SessionCorrection]) -> Self {
+    fn of(part: &Session, values: JointValues, corrections: &[SessionCorrection]) -> Self {
         let mut changed = part.clone();
         let mut ln_volume = 0.0;
-        for mend in mends.iter().filter(|mend| !is_frame(mend)) {
-            mend.apply(&mut changed);
-            ln_volume += match mend {
+        for correction in corrections
+            .iter()
+            .filter(|correction| !is_frame(correction))
+        {
+            correction.apply(&mut changed);
+            ln_volume += match correction {
                 SessionCorrection::ScaleLengths(factor) => 3.0 * factor.ln(),
                 SessionCorrection::ScaleCoordinate { factor, .. } => factor.ln(),
                 _ => 0.0,
@@ -86,11 +89,11 @@ impl Seen {
     }
 }
 
-fn is_frame(mend: &SessionCorrection) -> bool {
-    *mend == SessionCorrection::FreeFrame
+fn is_frame(correction: &SessionCorrection) -> bool {
+    *correction == SessionCorrection::FreeFrame
 }
 
-/// A change in a part of the rows, and what it costs.
+/// A change in a part of the rows, and its cost.
 #[derive(Clone, Copy)]
 struct Trial {
     change: usize,
@@ -98,19 +101,19 @@ struct Trial {
     cost: f64,
 }
 
-/// What may be wrong, as it would be said.
+/// A possible mistake, with its message.
 struct Candidate {
     what: Text,
     proposal: Text,
     rows: Vec<(usize, usize)>,
-    mend: SessionCorrection,
+    correction: SessionCorrection,
     /// The target that they are about, if it may be elsewhere too.
     target: Option<usize>,
     /// Place in the list of changes, simplest first.
     order: usize,
 }
 
-/// Rows that are looked at, as they stand.
+/// The rows that are searched, uncorrected.
 struct Search<'a> {
     session: &'a Session,
     values: JointValues,
@@ -120,7 +123,7 @@ struct Search<'a> {
     /// The setup of each row, and how many there are.
     setup: Vec<usize>,
     setups: usize,
-    as_it_stands: Seen,
+    uncorrected: Seen,
 }
 
 impl<'a> Search<'a> {
@@ -131,7 +134,7 @@ impl<'a> Search<'a> {
         Self {
             setup: (0..rows.len()).map(setup).collect(),
             setups: Group::Setup.count(&few).max(1),
-            as_it_stands: Seen::of(&few, values, &[]),
+            uncorrected: Seen::of(&few, values, &[]),
             session,
             values,
             changes,
@@ -140,9 +143,9 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn as_it_stands_mm(&self) -> Vec<f64> {
+    fn uncorrected_mm(&self) -> Vec<f64> {
         let none = vec![false; self.rows.len()];
-        self.lengths(&self.as_it_stands, &none, false).0
+        self.lengths(&self.uncorrected, &none, false).0
     }
 
     fn gross_mm(&self) -> f64 {
@@ -155,20 +158,20 @@ impl<'a> Search<'a> {
 
     /// Whether points are far from the nominal robot.
     fn is_gross(&self) -> bool {
-        let lengths = self.as_it_stands_mm();
+        let lengths = self.uncorrected_mm();
         let wrong = lengths.iter().filter(|length| **length > self.gross_mm());
         lengths.len() >= FEWEST_ROWS && wrong.count() >= FEWEST_IN_A_PART
     }
 
-    /// How far each point is from the robot where a part of them is as `seen` has it; `own`: it is seen from another
-    /// place. With the motions, those of the part behind the others.
+    /// How far each point is from the robot where a part of them is changed to `seen`; `own`: it is measured from
+    /// another place. With the motions, those of the part behind the others.
     fn lengths(&self, seen: &Seen, mask: &[bool], own: bool) -> (Vec<f64>, Motions) {
         let frame = |k: usize| self.setup[k] + if own && mask[k] { self.setups } else { 0 };
         let pair = |k: usize| {
             if mask[k] {
                 seen.pairs[k]
             } else {
-                self.as_it_stands.pairs[k]
+                self.uncorrected.pairs[k]
             }
         };
         let of_frame = |of: usize| {
@@ -176,16 +179,16 @@ impl<'a> Search<'a> {
             motion(&here.collect::<Vec<_>>())
         };
         let motions: Motions = (0..2 * self.setups).map(of_frame).collect();
-        let length = |k: usize| motions[frame(k)].map_or(0.0, |motion| left(&motion, &pair(k)));
+        let length = |k: usize| motions[frame(k)].map_or(0.0, |motion| distance(&motion, &pair(k)));
         ((0..mask.len()).map(length).collect(), motions)
     }
 
     fn is_frame(&self, change: usize) -> bool {
-        self.changes[change].mends.iter().any(is_frame)
+        self.changes[change].corrections.iter().any(is_frame)
     }
 
     fn seen(&self, change: usize) -> Seen {
-        Seen::of(&self.few, self.values, &self.changes[change].mends)
+        Seen::of(&self.few, self.values, &self.changes[change].corrections)
     }
 
     /// What a change costs in a part, with the logarithm of how many there are to choose from, and of the six numbers of
@@ -236,33 +239,33 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// The same change between those rows where it gains most, beside these rows as they stand; `None` where it does
-    /// not leave them as the others are left.
+    /// The same change between those rows where it gains most, compared with the uncorrected rows; `None` where its
+    /// residuals are larger than those of the others.
     fn settled(&self, mut trial: Trial) -> Option<Trial> {
         let seen = self.seen(trial.change);
         let own = self.is_frame(trial.change);
         // Two stretches may each ask for the other.
-        let mut looked_at = Vec::new();
+        let mut tried_stretches = Vec::new();
         let (mask, after, before) = loop {
             let mask = self.rows.mask(self.session, trial.part);
             let (lengths, motions) = self.lengths(&seen, &mask, own);
-            let far = |motion: Option<Isometry3<f64>>, pair: &Pair| Some(left(&motion?, pair));
+            let far = |motion: Option<Isometry3<f64>>, pair: &Pair| Some(distance(&motion?, pair));
             let of_row = |k: usize| {
                 let there = self.setup[k] + if own { self.setups } else { 0 };
-                let stands = far(motions[self.setup[k]], &self.as_it_stands.pairs[k])?;
-                Some((stands, far(motions[there], &seen.pairs[k])?))
+                let uncorrected = far(motions[self.setup[k]], &self.uncorrected.pairs[k])?;
+                Some((uncorrected, far(motions[there], &seen.pairs[k])?))
             };
             let both: Vec<(f64, f64)> = (0..mask.len()).map(of_row).collect::<Option<_>>()?;
             let Part::Stretch(first, end) = trial.part else {
                 break (mask, lengths, both);
             };
-            if looked_at.contains(&(first, end)) {
+            if tried_stretches.contains(&(first, end)) {
                 break (mask, lengths, both);
             }
-            looked_at.push((first, end));
+            tried_stretches.push((first, end));
             let (sigma, _) = cost(&lengths);
-            let gain = both.iter().map(|(stands, then)| {
-                cost_of(*stands, sigma) - cost_of(*then, sigma) + seen.ln_volume
+            let gain = both.iter().map(|(uncorrected, then)| {
+                cost_of(*uncorrected, sigma) - cost_of(*then, sigma) + seen.ln_volume
             });
             let (first, end) = likeliest_stretch(gain);
             if end - first < FEWEST_IN_A_PART || end - first == mask.len() {
@@ -270,15 +273,15 @@ impl<'a> Search<'a> {
             }
             trial.part = Part::Stretch(first, end);
         };
-        // Rows that the change does not move say nothing of it, in the part or elsewhere.
-        let (of_part, of_change) = (&self.as_it_stands.pairs, &seen.pairs);
+        // Rows that the change does not move have no information on it, in the part or elsewhere.
+        let (of_part, of_change) = (&self.uncorrected.pairs, &seen.pairs);
         let moved: Vec<bool> = (0..mask.len())
             .map(|k| mask[k] && (own || of_part[k] != of_change[k]))
             .collect();
         let corrected = typical(&moved, true, |k| after[k])?;
         let others = typical(&moved, false, |k| after[k]).unwrap_or(corrected);
-        let stood = typical(&moved, true, |k| before[k].0)?;
-        let alike = corrected <= ALIKE * others && stood >= ALIKE * corrected;
+        let earlier = typical(&moved, true, |k| before[k].0)?;
+        let alike = corrected <= ALIKE * others && earlier >= ALIKE * corrected;
         trial.cost = self.cost(trial.change, &seen, trial.part);
         (alike && corrected.max(others) < self.plausible_mm()).then_some(trial)
     }
@@ -299,12 +302,12 @@ impl<'a> Search<'a> {
         let change = &self.changes[trial.change];
         let rows = self.rows.ranges(self.session, trial.part);
         Some(Candidate {
-            what: self.rows.said(self.session, trial.part, &change.what),
+            what: self.rows.described(self.session, trial.part, &change.what),
             proposal: text!(
                 "{proposal}; these samples are corrected, and commands that go out are not",
                 proposal = &change.proposal
             ),
-            mend: in_rows(&rows, change.mends.first()?),
+            correction: in_rows(&rows, change.corrections.first()?),
             rows,
             target: None,
             order: trial.change,
@@ -317,20 +320,20 @@ impl<'a> Search<'a> {
         let turns = self.session.robot.joints[joint].kind == JointKind::Revolute;
         let targets = Group::Target.count(self.session);
         let several = joint > 0 && turns && targets > 1;
-        // The others are where the robot is, as it stands, and its own points are not.
+        // The other targets agree with the robot, uncorrected, and its own points do not.
         let is_apart = |target: &usize| {
             let mask = self
                 .rows
                 .mask(self.session, Part::Group(Group::Target, *target));
             let inside = mask.iter().filter(|own| **own).count();
-            let (lengths, motions) = self.lengths(&self.as_it_stands, &mask, true);
-            let stands = |k: usize| {
+            let (lengths, motions) = self.lengths(&self.uncorrected, &mask, true);
+            let uncorrected = |k: usize| {
                 let motion = motions[self.setup[k]];
-                motion.map_or(f64::INFINITY, |m| left(&m, &self.as_it_stands.pairs[k]))
+                motion.map_or(f64::INFINITY, |m| distance(&m, &self.uncorrected.pairs[k]))
             };
             let [others, own] = [
                 typical(&mask, false, |k| lengths[k]),
-                typical(&mask, true, stands),
+                typical(&mask, true, uncorrected),
             ]
             .map(|mm| mm.unwrap_or(f64::INFINITY));
             inside.min(mask.len() - inside) >= 2 * FEWEST_IN_A_PART
@@ -348,7 +351,7 @@ impl<'a> Search<'a> {
                     joint = joint + 1
                 ),
                 proposal: text!("put the target on the tool, or leave it out of the session"),
-                mend: in_rows(&rows, &SessionCorrection::ScaleJoint { joint, factor }),
+                correction: in_rows(&rows, &SessionCorrection::ScaleJoint { joint, factor }),
                 rows,
                 target: Some(target),
                 order: 0,
@@ -358,13 +361,13 @@ impl<'a> Search<'a> {
         apart.map(of_target).collect()
     }
 
-    /// What is likeliest, if it is likely enough.
+    /// The likeliest, if it is likely enough.
     fn best(&self, exact: &Search) -> Option<Vec<DataProblem>> {
-        let before = cost(&self.as_it_stands_mm()).1;
+        let before = cost(&self.uncorrected_mm()).1;
         let likely = self.tried().into_iter();
         let likely = likely.take_while(|trial| before - trial.cost > EVIDENCE);
         // Settled in all the rows, where costs are others.
-        let before = cost(&exact.as_it_stands_mm()).1;
+        let before = cost(&exact.uncorrected_mm()).1;
         let settled = likely.take(2 * MOST_FITTED).filter_map(|trial| {
             let part = exact.translated(&self.rows, trial.part);
             exact.settled(Trial { part, ..trial })
@@ -372,7 +375,7 @@ impl<'a> Search<'a> {
         let mut near: Vec<Trial> = settled.filter(|t| before - t.cost > EVIDENCE).collect();
         near.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         let least = near.first().map_or(0.0, |first| first.cost);
-        // What is wrong in all rows is found by fits, which know more twins.
+        // What is wrong in all rows is found by fits, which know more equivalent changes.
         if near.first().is_some_and(|first| first.part == Part::All) {
             return None;
         }
@@ -383,38 +386,38 @@ impl<'a> Search<'a> {
             .filter_map(|trial| exact.candidate(trial))
             .collect();
         candidates.extend(exact.before_the_last_joint());
-        self.told_apart(candidates)
+        self.distinguished(candidates)
     }
 
-    /// Of candidates the one that leaves least beside the fitted robot, with those that say the same.
-    fn told_apart(&self, candidates: Vec<Candidate>) -> Option<Vec<DataProblem>> {
+    /// Of candidates the one with the smallest residual of the fitted robot, with the equivalent ones.
+    fn distinguished(&self, candidates: Vec<Candidate>) -> Option<Vec<DataProblem>> {
         let (rows, axes) = (self.rows.len(), self.few.samples.axes());
         let few = fits::some_samples(self.session);
-        let fitted = |mends: &[&SessionCorrection]| {
+        let fitted = |corrections: &[&SessionCorrection]| {
             let mut changed = self.session.clone();
-            for mend in mends {
-                mend.apply(&mut changed);
+            for correction in corrections {
+                correction.apply(&mut changed);
             }
             fits::fitted(&fits::some_samples(&changed), self.values)
         };
         let (_, before) = fits::fitted(&few, self.values)?;
         let with = |candidate: Candidate| {
             let Some(index) = candidate.target else {
-                return Some((fitted(&[&candidate.mend])?.1, candidate, None));
+                return Some((fitted(&[&candidate.correction])?.1, candidate, None));
             };
             // Its points fit a place before that joint far better than any in the tool.
             let group = Group::Target;
             let free = SessionCorrection::Free { group, index };
             let (_, elsewhere) = fitted(&[&free])?;
-            let (model, left) = fitted(&[&candidate.mend, &free])?;
+            let (model, residual_mm) = fitted(&[&candidate.correction, &free])?;
             let mut own = own_parts(&model).into_iter();
             let by = own
                 .find(|own| own.0 == index)
                 .map_or(Vector3::zeros(), |own| own.1);
             let known = self.session.instrument.targets_sigma_mm.is_some();
             let off = (known && by.norm() > self.gross_mm()).then_some((index, by, free));
-            let likelier = evidence(rows, axes, elsewhere, left, 0) > EVIDENCE;
-            likelier.then_some((left, candidate, off))
+            let likelier = evidence(rows, axes, elsewhere, residual_mm, 0) > EVIDENCE;
+            likelier.then_some((residual_mm, candidate, off))
         };
         let mut fitted: Vec<_> = candidates.into_iter().filter_map(with).collect();
         let least = fitted.iter().map(|one| one.0).min_by(f64::total_cmp)?;
@@ -424,9 +427,9 @@ impl<'a> Search<'a> {
         fitted.retain(|one| one.0 <= EQUAL * least);
         fitted.sort_by_key(|one| one.1.order);
         let mut fitted = fitted.into_iter();
-        let (left_mm, main, off) = fitted.next()?;
+        let (residual_mm, main, off) = fitted.next()?;
         let twins: Vec<Text> = fitted.map(|one| one.1.what).collect();
-        let evidence = corrected_in_numbers(before, left_mm);
+        let evidence = corrected_in_numbers(before, residual_mm);
         let of_target = off.map(|(index, by, free)| {
             groups::target_elsewhere(self.session, index, by, evidence.clone(), free)
         });
@@ -434,10 +437,10 @@ impl<'a> Search<'a> {
         let main = DataProblem {
             samples: rows.collect(),
             ..DataProblem::of_all(
-                Change::said_with(main.what, &twins),
+                Change::with_equivalents(main.what, &twins),
                 evidence,
                 main.proposal,
-                main.mend,
+                main.correction,
             )
         };
         Some([main].into_iter().chain(of_target).collect())
@@ -449,7 +452,7 @@ fn typical(mask: &[bool], is_inside: bool, of: impl Fn(usize) -> f64) -> Option<
     median((0..mask.len()).filter(|k| mask[*k] == is_inside).map(of))
 }
 
-/// Where the instrument stands, of each setup and of each in another part.
+/// The place of the instrument, of each setup and of each in another part.
 type Motions = Vec<Option<Isometry3<f64>>>;
 
 fn in_rows(rows: &[(usize, usize)], by: &SessionCorrection) -> SessionCorrection {

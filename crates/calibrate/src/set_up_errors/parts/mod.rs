@@ -1,13 +1,12 @@
 //! Set-up errors that hold for a part of the rows: from some row on, for a time, in a setup, with a target.
 //!
-//! Every mistake of setting up is a change of rows ([`super::changes`]), and each may hold for some of them only: a joint that
-//! counts the other way since an update, angles in radians or points in inches in one run, points in another cell's
-//! frame, an encoder that slipped. One search finds which change in which rows ([`gross`]); what is too small to be seen
-//! beside the robot as it was drawn is looked for beside the fitted one ([`steps`]).
+//! Every mistake of setting up is a change of rows ([`super::changes`]), and each may hold for some of them only: a
+//! joint that counts the other way since an update, angles in radians or points in inches in one run, points in
+//! another cell's frame, an encoder that slipped. One search finds which change in which rows ([`gross`]); what is too
+//! small to be visible with the nominal robot is searched for with the fitted one ([`steps`]).
 //!
-//! Where a part differs, the session as a whole is right as the description has it: what is corrected are these rows,
-//! and what goes out to the controller is not. Of a home that moved the last rows say where it is now: those before are
-//! turned.
+//! Where a part differs, the session as a whole agrees with the description: only these rows are corrected, and what
+//! goes out to the controller is not. Of a home that moved the last rows are valid now: those before are turned.
 
 mod gross;
 mod moved;
@@ -65,8 +64,8 @@ mod tests {
 
     fn corrected(session: &Session, problems: &[DataProblem]) -> Session {
         let mut better = session.clone();
-        let mends = problems.iter().filter_map(|problem| problem.mend.as_ref());
-        mends.for_each(|mend| mend.apply(&mut better));
+        let corrections = problems.iter().filter_map(|problem| problem.mend.as_ref());
+        corrections.for_each(|correction| correction.apply(&mut better));
         better
     }
 
@@ -174,8 +173,8 @@ mod tests {
         }
     }
 
-    /// An arm that does not come back to the same place: in each pose every joint is off by 0.02° (σ). Three reflectors
-    /// are seen in each.
+    /// An arm that does not come back to the same place: in each pose every joint is off by 0.02° (σ). Three
+    /// reflectors are measured in each.
     fn arm_that_does_not_repeat(seed: u32, poses: u32) -> Session {
         let at = |k: u32, joint: u32| 120.0 * (f64::from(k + 1) * (1.7 + f64::from(joint))).sin();
         let mut chance = seed;
@@ -188,19 +187,19 @@ mod tests {
                 .sum();
             0.02 * (sum - 6.0)
         };
-        let told: Vec<f64> = (0..4 * poses).map(|i| at(i / 4, i % 4)).collect();
-        let went: Vec<f64> = told.iter().map(|q| q + error()).collect();
+        let commanded: Vec<f64> = (0..4 * poses).map(|i| at(i / 4, i % 4)).collect();
+        let went: Vec<f64> = commanded.iter().map(|q| q + error()).collect();
         let targets = r#""A":[0,0,60],"B":[40,50,20],"C":[-45,30,-15]"#;
         let mut session = arm_at(went.chunks(4), targets);
         for (joint, q) in session.samples.q.iter_mut().enumerate() {
             for (i, q) in q.iter_mut().enumerate() {
-                *q = told[4 * (i / 3) + joint].to_radians();
+                *q = commanded[4 * (i / 3) + joint].to_radians();
             }
         }
         session
     }
 
-    /// What it does not repeat is the same in all rows of a pose, which say of it what one would.
+    /// The error of repeatability is the same in all rows of a pose, which have the information of one.
     #[test]
     fn rows_of_a_pose_are_one_witness_of_what_moved() {
         for seed in [4, 9, 12, 14, 19, 21] {

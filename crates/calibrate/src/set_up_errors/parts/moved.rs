@@ -1,4 +1,4 @@
-//! What may move while a robot is measured, and how it is corrected and said.
+//! The parts that may move while a robot is measured, with their corrections and messages.
 
 use crate::answers::diagnosis::DataProblem;
 use crate::kinematics::JointKind;
@@ -6,7 +6,7 @@ use crate::sessions::{Session, SessionCorrection};
 use crate::text::{angle, length};
 
 use super::gross::corrected_in_numbers;
-use crate::set_up_errors::left::MOST;
+use crate::set_up_errors::residuals::MOST;
 use crate::set_up_errors::rows::RowsInOrder;
 
 /// What moved.
@@ -14,12 +14,12 @@ use crate::set_up_errors::rows::RowsInOrder;
 pub(super) enum What {
     /// The home of a joint.
     Home(usize),
-    /// What the instrument stands on, or the robot: moved and turned.
+    /// The instrument's support, or the robot: moved and turned.
     Frame,
 }
 
 impl What {
-    /// How many numbers say how far.
+    /// The number of parameters of the motion.
     pub(super) fn numbers(self) -> usize {
         match self {
             Self::Home(_) => 1,
@@ -54,7 +54,7 @@ impl Step {
         session: &Session,
         rows: &RowsInOrder,
         before: Vec<(usize, usize)>,
-        [before_mm, left_mm]: [f64; 2],
+        [before_mm, residual_mm]: [f64; 2],
     ) -> DataProblem {
         let sample = rows.row(self.from) + 1;
         let (what, proposal) = match self.what {
@@ -86,14 +86,14 @@ impl Step {
                 ),
             ),
         };
-        let mend = self.correction(before);
+        let correction = self.correction(before);
         DataProblem {
             samples: (0..self.from).map(|k| rows.row(k)).collect(),
             ..DataProblem::of_all(
                 what,
-                corrected_in_numbers(before_mm, left_mm),
+                corrected_in_numbers(before_mm, residual_mm),
                 proposal,
-                mend,
+                correction,
             )
         }
     }

@@ -10,11 +10,11 @@
 //! C = Σ_i ½(ν + d) ln(1 + r(i, s_i)²/(ν σ²)) + Σ changes · price
 //! ```
 //!
-//! Where the robot should be has to be known before the rows are: a stretch of rows that no change
-//! falls into shows where the instrument stands, whatever its own shift is, so each quarter of the
-//! session is tried with each shift. The path is then improved by fits of the base model to rows that
-//! are paired again. It is said where it is better by far than the best fit of the rows as they are,
-//! leaves what a robot may leave, and misses by a step of the robot without it: no effect does that.
+//! Where the robot should be has to be known before the rows are: a stretch of rows without a change locates the
+//! instrument, whatever its own shift is, so each quarter of the session is tried with each shift. The path is then
+//! improved by fits of the base model to rows that are paired again. It is reported where it is much better than the
+//! best fit of the uncorrected rows, has residuals that are possible for a robot, and these are a step of the robot
+//! without it: no effect does that.
 
 #![allow(
     clippy::cast_possible_truncation,
@@ -49,16 +49,16 @@ const MOST_FITTED: usize = 3;
 const MOST_ROWS: usize = 400;
 /// The logarithm by which a shift has to be likelier.
 const EVIDENCE: f64 = 25.0;
-/// What the rows that move leave afterwards, as a share of before.
-const MENDED_SHARE: f64 = 0.25;
-/// What a robot may leave once its rows are right, as a share of the size of the session.
+/// The residuals of the rows that move, as a share of those before.
+const CORRECTED_SHARE: f64 = 0.25;
+/// The largest residual of a robot with right rows, as a share of the size of the session.
 const PLAUSIBLE_SHARE: f64 = 0.02;
 /// A shift of all rows alike looks like a joint that lags: it is one where no robot lags so far.
 const GROSS_SHARE: f64 = 0.01;
-/// A step that is less than this share of the scatter does not show: no point can be told from the one beside
-/// it, as in a recording of a slow move.
+/// A step that is less than this share of the scatter does not show: neighbouring points cannot be distinguished, as
+/// in a recording of a slow move.
 const HIDDEN_SHARE: f64 = 0.25;
-/// Where fewer than one row in so many has a longer step, no shift can be seen.
+/// Where fewer than one row in so many has a longer step, no shift can be detected.
 const FEWEST_HIDDEN: usize = 1000;
 
 /// The shifts that are believed.
@@ -101,19 +101,19 @@ impl Search<'_> {
     fn likeliest(&self) -> Option<DataProblem> {
         let points = &self.points;
         let mut trials = starts(self.session, &self.inputs, points);
-        // The usual session: its rows are right, and nothing is in doubt.
+        // The usual session: its rows are clearly right.
         if trials.first().is_some_and(|first| first.rows_are_right) {
             return None;
         }
-        let as_it_is = self.fitted(Path::default())?;
-        let hidden_mm = HIDDEN_SHARE * as_it_is.sigma_mm;
-        if points.len() > FEWEST_HIDDEN * path::far_steps(&as_it_is.predicted, hidden_mm) {
+        let uncorrected = self.fitted(Path::default())?;
+        let hidden_mm = HIDDEN_SHARE * uncorrected.sigma_mm;
+        if points.len() > FEWEST_HIDDEN * path::far_steps(&uncorrected.predicted, hidden_mm) {
             return None;
         }
         trials.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-        let beside_the_fit = path::likeliest(points, &as_it_is.predicted, as_it_is.sigma_mm);
+        let given_the_fit = path::likeliest(points, &uncorrected.predicted, uncorrected.sigma_mm);
         let mut paths: Vec<Path> = Vec::new();
-        for path in [beside_the_fit]
+        for path in [given_the_fit]
             .into_iter()
             .chain(trials.into_iter().map(|t| t.path))
         {
@@ -131,10 +131,10 @@ impl Search<'_> {
         let best = settled
             .map(|end| (cost(&end), end))
             .min_by(|a, b| a.0.total_cmp(&b.0));
-        self.problem(&as_it_is, best?.1)
+        self.problem(&uncorrected, best?.1)
     }
 
-    /// The base model fitted to rows that are paired again; `None` where nothing is left to fit.
+    /// The base model fitted to rows that are paired again; `None` where no row remains.
     fn fitted(&self, path: Path) -> Option<Fitted> {
         let n = self.points.len();
         let mut part = self.session.clone();
@@ -171,7 +171,7 @@ impl Search<'_> {
         Some(end)
     }
 
-    /// What the deviations along a path cost beside a fit, with the price of its changes.
+    /// The cost of the deviations along a path given a fit, with the penalty of its changes.
     fn cost(&self, fit: &Fitted, path: &Path, sigma_mm: f64) -> f64 {
         let n = self.points.len();
         let of = |row: usize| {
@@ -199,20 +199,20 @@ impl Search<'_> {
         median(rows.by_ref().filter_map(of))
     }
 
-    /// What is said of a path that is to be believed.
-    fn problem(&self, as_it_is: &Fitted, end: Fitted) -> Option<DataProblem> {
+    /// The message about a path that is accepted.
+    fn problem(&self, uncorrected: &Fitted, end: Fitted) -> Option<DataProblem> {
         let (n, size) = (self.points.len(), self.points.size_mm());
-        let stands = |sigma_mm: f64| self.cost(as_it_is, &as_it_is.path, sigma_mm);
-        let evidence = stands(end.sigma_mm) - self.cost(&end, &end.path, end.sigma_mm);
+        let cost_uncorrected = |sigma_mm: f64| self.cost(uncorrected, &uncorrected.path, sigma_mm);
+        let evidence = cost_uncorrected(end.sigma_mm) - self.cost(&end, &end.path, end.sigma_mm);
         let rows: Vec<usize> = end.path.moved(n).collect();
         let of_moved = |fit: &Fitted| self.typical(&fit.predicted, &fit.path, rows.iter().copied());
         let of_all = |fit: &Fitted| self.typical(&fit.predicted, &fit.path, 0..n);
-        let (before, after) = (of_moved(as_it_is)?, of_moved(&end)?);
+        let (before, after) = (of_moved(uncorrected)?, of_moved(&end)?);
         let gross = end.path.changes.len() > 1 || end.path.changes[0].0 > 0;
         let believed = evidence > EVIDENCE
-            && after < MENDED_SHARE * before
+            && after < CORRECTED_SHARE * before
             && of_all(&end)? < PLAUSIBLE_SHARE * size
-            && (gross || of_all(as_it_is)? > GROSS_SHARE * size);
+            && (gross || of_all(uncorrected)? > GROSS_SHARE * size);
         if !believed {
             return None;
         }
@@ -250,10 +250,10 @@ impl Search<'_> {
             before = length(before, 3),
             after = length(after, 3)
         );
-        let mend = SessionCorrection::PairRows(end.path.changes);
+        let correction = SessionCorrection::PairRows(end.path.changes);
         Some(DataProblem {
             samples: rows,
-            ..DataProblem::of_all(what, evidence, proposal, mend)
+            ..DataProblem::of_all(what, evidence, proposal, correction)
         })
     }
 }

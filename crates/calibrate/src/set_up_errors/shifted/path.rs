@@ -15,7 +15,7 @@ pub(super) const MEDIAN_LENGTH: f64 = 1.538;
 /// Shifts that are tried, to either side.
 pub(super) const MOST_SHIFT: isize = 3;
 const STATES: usize = 2 * MOST_SHIFT as usize + 1;
-/// The logarithm of the price of a change, beside that of its place.
+/// The logarithm of the penalty of a change, in addition to that of its place.
 const PRICE: f64 = 6.0;
 /// What a row without a point costs: as much as one 3 σ off.
 const WITHOUT_A_POINT: f64 = 4.0;
@@ -122,8 +122,8 @@ impl Path {
         taken.is_none_or(|taken| point > taken).then_some(point)
     }
 
-    /// Takes out shifts that give no row a point, and ones that end after a row or two: they only spare rows points
-    /// that do not fit. A point that is missing beside one too many is a bad row.
+    /// Removes shifts that give no row a point, and ones that end after a row or two: they only spare rows points that
+    /// do not fit. A missing point next to one too many is a bad row.
     fn drop_empty(&mut self, is_point: impl Fn(usize) -> bool, rows: usize) {
         let mut k = 0;
         while k < self.changes.len() {
@@ -166,15 +166,15 @@ impl Path {
     /// What happened, for a person.
     pub(super) fn in_words(&self) -> Text {
         let mut before = 0;
-        let mut said = Text::default();
+        let mut text = Text::default();
         for (first, by) in &self.changes {
             let (lost, row) = (before - by, first + 1);
             let count = lost.unsigned_abs();
-            if !said.is_empty() {
-                said += Text::verbatim("; ");
+            if !text.is_empty() {
+                text += Text::verbatim("; ");
             }
             let away = by.unsigned_abs();
-            said += match (first, lost, count) {
+            text += match (first, lost, count) {
                 (0, ..) if *by == -1 => text!("all points belong to the command one row below"),
                 (0, ..) if *by == 1 => text!("all points belong to the command one row above"),
                 (0, ..) if *by < 0 => text!(
@@ -192,7 +192,7 @@ impl Path {
             };
             before = *by;
         }
-        said
+        text
     }
 }
 
@@ -230,7 +230,7 @@ pub(super) fn far_steps(predicted: &Positions, mm: f64) -> usize {
     (0..rows).filter(far).count()
 }
 
-/// The likeliest path of all rows beside where the robot is predicted.
+/// The likeliest path of all rows given the predictions of the robot.
 pub(super) fn likeliest(points: &Points<'_>, predicted: &Positions, sigma_mm: f64) -> Path {
     let deviation = |row: usize, by: isize| {
         let point = row.checked_add_signed(by)?;
@@ -307,8 +307,7 @@ pub(super) fn along(
     (Path { changes }, total)
 }
 
-/// Moves every change to the row beside it where the points fit best, now that a point belongs to one
-/// row only.
+/// Moves every change to the neighbouring row where the points fit best, now that a point belongs to one row only.
 fn place_exactly(path: &mut Path, rows: usize, cost: &dyn Fn(usize, Option<usize>) -> f64) {
     for k in 0..path.changes.len() {
         let at = path.changes[k].0;
@@ -336,7 +335,7 @@ fn place_exactly(path: &mut Path, rows: usize, cost: &dyn Fn(usize, Option<usize
     }
 }
 
-/// With fewer samples a shift cannot be told from anything else.
+/// With fewer samples a shift cannot be distinguished from anything else.
 const FEWEST_SAMPLES: usize = 12;
 
 #[cfg(test)]

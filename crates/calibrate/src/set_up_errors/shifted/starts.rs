@@ -1,5 +1,5 @@
-//! Where the instrument stands, before the rows are known: from each quarter of the session with each
-//! shift, by the best rigid motion of the nominal robot.
+//! The place of the instrument before the rows are known: from each quarter of the session with each shift, by the
+//! best rigid motion of the nominal robot.
 
 use nalgebra::{Isometry3, Vector3};
 
@@ -19,20 +19,20 @@ const STRETCHES: usize = 4;
 const FEWEST_ROWS: usize = 6;
 /// Rows that a trial looks at; of a long session they are spread evenly.
 const MOST_ROWS: usize = 2000;
-/// What a robot that was never calibrated leaves, as a share of the size of the session.
+/// The residual of a robot that was never calibrated, as a share of the size of the session.
 const NOMINAL_SHARE: f64 = 0.002;
-/// The rows are right where they leave less than this share of what the nearest shift leaves.
+/// The rows are right where their residual is less than this share of that of the nearest shift.
 const CLEAR_SHARE: f64 = 0.3;
 
 /// One way to see the session, and the likeliest path then.
 pub(super) struct Start {
     pub(super) path: Path,
     pub(super) cost: f64,
-    /// Whether no row is shifted, and that is beyond doubt.
+    /// Whether clearly no row is shifted.
     pub(super) rows_are_right: bool,
 }
 
-/// Every start; the first alone where it leaves no doubt.
+/// Every start; the first alone where it is clear.
 pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points<'_>) -> Vec<Start> {
     let robot = Model::nominal(session.robot.clone());
     // Of a long session few rows are looked at.
@@ -83,10 +83,11 @@ pub(super) fn starts(session: &Session, inputs: &Inputs, points: &Points<'_>) ->
             let others = [-1, 1].into_iter().filter_map(|by| deviation(k, by));
             others.reduce(f64::min)
         }));
-        // Of the last rows alone a shift shows only beside what this robot leaves, not beside what any may leave.
-        let left = own.unwrap_or(sigma) / MEDIAN_LENGTH;
-        if path.is_none() && left < sigma {
-            path = likeliest(left.max(LEAST_SIGMA_MM)).0;
+        // A shift of the last rows alone is only visible compared with the residuals of this robot, not with those of
+        // any.
+        let own_mm = own.unwrap_or(sigma) / MEDIAN_LENGTH;
+        if path.is_none() && own_mm < sigma {
+            path = likeliest(own_mm.max(LEAST_SIGMA_MM)).0;
         }
         let clear = own
             .zip(shifted)

@@ -1,4 +1,4 @@
-//! What there is to say of joint compliance, whatever is known of the masses.
+//! The description of joint compliance, whatever is known of the masses.
 
 use crate::effects::about::{About, Form, Over, Quantity};
 use crate::effects::needs::Need;

@@ -1,17 +1,17 @@
 //! Joint compliance of an arm whose link masses are not stated: `θ = q + C·τ_load(θ) + σ(θ)`.
 //!
-//! What the links' own weight winds the joint up by is linear in their first moments. Everything behind
-//! a joint k turns with it, so that k adds a vector across its axis (what lies along the axis the
-//! joint before it has), carried by the joints between:
+//! The deflection under the links' own weight is linear in their first moments. Everything behind a joint k turns with
+//! it, so that k adds a vector perpendicular to its axis (the component along the axis belongs to the joint before
+//! it), turned by the joints between:
 //!
 //! ```text
 //! σ = ω·(R(θ) Σ_k R_{i+1} … R_k (u_k a_k + v_k b_k) × g/|g|),   k = i, i + 1, i + 2
 //! ```
 //!
-//! with `a_k`, `b_k` across axis k at home. u and v are compliance times moment times |g|: the angle by
-//! which the joint sags where that part stands out level. Parts farther out than two joints are light
-//! and near; they count with the second. C comes from the load alone, which therefore has to change;
-//! where it does not, the sag is what can be fitted ([`SAG`]), and C stays unknown.
+//! with `a_k`, `b_k` perpendicular to axis k at home. u and v are compliance times moment times |g|: the angle by
+//! which the joint sags where that part is horizontal. Parts farther out than two joints are light and near; they
+//! count with the second. C is determined by the load alone, which therefore has to change; where it does not, the sag
+//! is what can be fitted ([`SAG`]), and C stays unknown.
 //!
 //! Source: Khalil & Dombre, ch. 9 (base parameters of gravity); Nubiola & Bonev 2013.
 
@@ -119,7 +119,7 @@ fn act<const N: usize>(me: &Placed, block: &mut Block) {
     }
 }
 
-/// Where the joint ends in all lanes of a block, with the derivatives: what [`Sag`] says of one.
+/// The angles of the joint in all lanes of a block, with the derivatives: those of [`Sag`] lane by lane.
 struct Sagging<'s, 'b, const N: usize> {
     me: &'s Placed,
     parts: &'s Parts,
@@ -207,8 +207,8 @@ struct Sag<const N: usize> {
     whole: Torque,
     /// The load's torque, N·m.
     load: Torque,
-    /// Moments by each coefficient: the load's where C is one, and one for each direction of a part. What
-    /// all lanes at once are held against.
+    /// Moments by each coefficient: the load's where C is one, and one for each direction of a part. The reference for
+    /// all lanes at once.
     #[cfg(test)]
     by: [[f64; 3]; N],
 }
@@ -265,10 +265,10 @@ impl Parts {
         Self { joint, across }
     }
 
-    /// The directions as the joint carries them with the joint itself at zero, two for each part.
+    /// The directions turned by the joints behind it, with the joint itself at zero, two for each part.
     fn carried(&self, block: &Block, lane: usize) -> [[f64; 3]; UNIT_SAGS] {
         let mut all = [[0.0; 3]; UNIT_SAGS];
-        // From the outermost joint inwards each turns what it carries.
+        // From the outermost joint inwards each turns what is behind it.
         for part in (0..PARTS).rev() {
             if let Some(own) = self.across[part] {
                 all[2 * part] = own[0];
@@ -339,8 +339,8 @@ fn length(v: [f64; 3]) -> f64 {
     dot(v, v).sqrt()
 }
 
-/// The direction that belongs to one of the parts' coefficients, as the joint carries it with the joint itself at zero;
-/// with `slope` its derivative by the command of that joint. Zero where there is no such part.
+/// The direction that belongs to one of the parts' coefficients, turned by the joints behind it, with the joint itself
+/// at zero; with `slope` its derivative with respect to the command of that joint. Zero where there is no such part.
 fn direction(
     block: &Block,
     joint: usize,

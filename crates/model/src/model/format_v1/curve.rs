@@ -38,8 +38,7 @@ const KEYS: [[&str; PARTS]; 2] = [
 ];
 const CURVE: Template = phrase!("an object with from_inner, to_inner, knots and values");
 
-/// What a curve is made from: values and standard deviations part by part, rad or mm; a part
-/// without values is left out.
+/// The points of a curve: values and standard deviations part by part, rad or mm; a part without values is left out.
 #[derive(Clone)]
 struct Points {
     knots: Knots,

@@ -1,4 +1,4 @@
-//! The model document; every complaint carries line, column and path.
+//! The model document; every complaint has line, column and path.
 
 use crate::diagnostic::{Place, Rejected};
 use crate::document::kinds::{DEGREES, NUMBER, TEXT, count};
@@ -39,11 +39,10 @@ pub fn load_model(path: impl AsRef<FilePath>) -> Result<Calibration, Rejected> {
 
 /// What every version of the model's format begins with.
 const MODEL: &str = "truepose-model/";
-/// Bytes in which a broken document says what it was meant to be. What is no document may be of any length.
+/// Bytes in which a broken document has to name its format. A file of another kind may be of any length.
 const BEGINNING: u64 = 1 << 16;
 
-/// Whether a file calls itself a model. What cannot be read is left to the reader of sessions,
-/// which says why.
+/// Whether a file calls itself a model. What cannot be read is left to the reader of sessions, which reports why.
 pub fn is_model(path: &FilePath) -> bool {
     let Ok((file, _)) = open::open_regular(path) else {
         return false;
@@ -54,7 +53,7 @@ pub fn is_model(path: &FilePath) -> bool {
     let _ = serde_json::Deserializer::from_reader(reader).deserialize_map(&mut tag);
     match tag.0 {
         Some(format) => format.starts_with(MODEL),
-        // Broken, but where it begins it may still say what it was meant to be.
+        // Broken, but its beginning may still name its format.
         None => open::open_regular(path).is_ok_and(|(file, _)| {
             let mut start = Vec::new();
             let read = file.take(BEGINNING).read_to_end(&mut start);
@@ -130,8 +129,8 @@ pub fn write_model(calibration: &Calibration) -> String {
     text_of(&written(calibration.clone(), self::calibration))
 }
 
-/// SHA-256 of the model's file as the program writes it: 64 hexadecimal digits. A session says
-/// with it which model's table was active while it was measured (`compensated_by`).
+/// SHA-256 of the model's file as the program writes it: 64 hexadecimal digits. A session states with it which model's
+/// table was active while it was measured (`compensated_by`).
 pub fn model_hash(calibration: &Calibration) -> String {
     hexadecimal(&Sha256::digest(write_model(calibration)))
 }
@@ -293,7 +292,7 @@ const RANGES: Kind<Vec<Range>> = Kind {
     write: |all| all.iter().map(RANGE.write).collect(),
 };
 
-/// Least and largest, kg; below zero where the session had it so, which is said when that is read.
+/// Least and largest, kg; below zero where the session had it so, which is reported when that is read.
 const LOADS: Kind<[f64; 2]> = Kind {
     expected: phrase!("two numbers, the least load and the largest"),
     read: |at| {
@@ -395,5 +394,5 @@ fn step(o: &mut Object<'_, '_>, own: &mut ResidualStep) {
     o.optional("values_held_out_mm", &mut own.values_held_out_mm, &NUMBER);
 }
 
-/// What the key `format` says.
+/// The value of the key `format`.
 pub(crate) const FORMAT: &str = "truepose-model/1";

@@ -1,4 +1,4 @@
-//! What predicts without a name, on disk: the numbers that the program computes with (rad, mm), so that
+//! The corrections that predict without a name, on disk: the numbers that the program computes with (rad, mm), so that
 //! they are read back to the last bit.
 
 use crate::text::{Template, Text};
@@ -109,12 +109,12 @@ pub(super) fn written_rest(rest: &Rest) -> Value {
 
 fn declare(o: &mut Object<'_, '_>, own: &mut Lists) {
     o.required("ranges_inner", &mut own.ranges, &LIST);
-    let says = !own.condition_ranges.is_empty();
+    let stated = !own.condition_ranges.is_empty();
     let key = "condition_ranges_inner";
-    o.usual_if(says, key, &mut own.condition_ranges, &LIST);
+    o.usual_if(stated, key, &mut own.condition_ranges, &LIST);
     let key = "others_without_it_inner";
-    let says = !own.geometry_alone.is_empty();
-    o.usual_if(says, key, &mut own.geometry_alone, &LIST);
+    let stated = !own.geometry_alone.is_empty();
+    o.usual_if(stated, key, &mut own.geometry_alone, &LIST);
     for (keys, lists) in KEYS.iter().zip(&mut own.along) {
         for (key, list) in keys.iter().zip(lists) {
             o.usual_if(!list.is_empty(), key, list, &LIST);

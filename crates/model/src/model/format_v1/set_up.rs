@@ -1,4 +1,4 @@
-//! The corrections of the set-up that a model carries; joints count from 1.
+//! The corrections of the set-up in a model; joints count from 1.
 
 use crate::document::kinds::{NUMBER, TEXT, count};
 use crate::document::object::{Cursor, Kind};
@@ -76,7 +76,7 @@ impl Parts {
             name,
             "scale-joint" | "scale-joints" | "couple-joint" | "scale-lengths" | "scale-coordinate"
         );
-        // Of some rows it says that the joint does not move what was measured; of all it has no inverse.
+        // For some rows zero states that the joint does not move what was measured; for all it has no inverse.
         if needs_a_factor && factor == 0.0 && self.rows.is_empty() {
             return None;
         }

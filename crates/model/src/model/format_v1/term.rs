@@ -121,7 +121,7 @@ fn parameters(at: &mut Cursor<'_, '_>) -> Option<Vec<(String, f64)>> {
     all.into_iter().collect()
 }
 
-/// What is written of an effect of this robot. Parameters stand in the order of the catalogue.
+/// An effect of this robot as it is written. Parameters are in the order of the catalogue.
 pub(super) fn term_written(term: &Term, robot: &Robot) -> Value {
     let about = term.effect.about();
     let own = robot.joints.get(term.joint);

@@ -305,7 +305,7 @@ fn a_file_is_a_model_by_its_key_wherever_that_stands() {
             false,
         ),
         (r#"{"a":{"format":"truepose-model/1"},"format":"b"}"#, false),
-        // What is broken, or has no such key, is asked what it was meant to be.
+        // A broken file, or one without such a key, is searched for its format.
         (r#"{"a":1,,"format":"truepose-model/1""#, true),
         (r#"{"format":3,"of":"truepose-model/1"}"#, true),
         ("[1, 2]", false),

@@ -1,4 +1,4 @@
-//! Azimuth and elevation of a direction, and what is left of measured ones.
+//! Azimuth and elevation of a direction, and the residuals of measured ones.
 
 use crate::observations::put_name;
 use crate::rounding;
@@ -13,10 +13,10 @@ pub(super) fn measured(session: &Session, sample: usize, sense: Azimuth) -> Opti
     there.then_some([azimuth * sense.sign(), elevation])
 }
 
-/// What is left of a measured direction beside a predicted one of any length, in the station's axes:
-/// azimuth times the cosine of the measured elevation, and elevation; and how both, as predicted,
-/// depend on the direction.
-pub(super) fn left(measured: [f64; 2], direction: [f64; 3]) -> ([f64; 2], [[f64; 3]; 2]) {
+/// The residual of a measured direction and a predicted one of any length, in the station's axes: azimuth times the
+/// cosine of the measured elevation, and elevation; and the derivatives of both, as predicted, with respect to the
+/// direction.
+pub(super) fn residual_of(measured: [f64; 2], direction: [f64; 3]) -> ([f64; 2], [[f64; 3]; 2]) {
     let [x, y, z] = direction;
     let flat = x.hypot(y).max(f64::EPSILON);
     let square = flat * flat + z * z;
@@ -25,7 +25,7 @@ pub(super) fn left(measured: [f64; 2], direction: [f64; 3]) -> ([f64; 2], [[f64;
     let turn = std::f64::consts::TAU;
     let around = measured[0] - azimuth;
     let around = around - turn * (around / turn).round();
-    let left = [around * shrink, measured[1] - elevation];
+    let off = [around * shrink, measured[1] - elevation];
     let by = [
         [-y / (flat * flat) * shrink, x / (flat * flat) * shrink, 0.0],
         [
@@ -34,7 +34,7 @@ pub(super) fn left(measured: [f64; 2], direction: [f64; 3]) -> ([f64; 2], [[f64;
             flat / square,
         ],
     ];
-    (left, by)
+    (off, by)
 }
 
 /// Writes down the azimuth (from 0 to a full turn) and the elevation of a direction in a station's

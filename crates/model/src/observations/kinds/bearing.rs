@@ -100,14 +100,14 @@ impl Kind for Bearing {
             return residual;
         };
         let omega = [seen.place[0], seen.place[1], seen.place[2]];
-        let stands = [seen.place[3], seen.place[4], seen.place[5]];
+        let station = [seen.place[3], seen.place[4], seen.place[5]];
         let into = transposed(rotation(omega));
-        let arm = minus(seen.point, stands);
-        let (left, by) = angles::left(measured, times(into, arm));
+        let arm = minus(seen.point, station);
+        let (off, by) = angles::residual_of(measured, times(into, arm));
         let out = transposed(into);
         let spins = by_attitude(omega, into, arm);
         for row in 0..2 {
-            residual.left[row] = left[row];
+            residual.left[row] = off[row];
             residual.by_point[row] = times(out, by[row]);
             for k in 0..3 {
                 residual.by_place[row][k] = dot(by[row], spins[k]);

@@ -77,10 +77,10 @@ impl Kind for Pointing {
             None => [0.0; 3],
         };
         let into = transposed(rotation(omega));
-        let (left, by) = angles::left(measured, times(into, direction));
+        let (off, by) = angles::residual_of(measured, times(into, direction));
         let spins = by_attitude(omega, into, direction);
         for row in 0..2 {
-            residual.left[row] = left[row];
+            residual.left[row] = off[row];
             let across = times(transposed(into), by[row]);
             // ∂(ω × d)·a = ω·(d × a)
             residual.by_turn[row] = cross(direction, across);

@@ -1,5 +1,5 @@
-//! A socket: the target sits in the same place in all samples of that name. Three rows; no instrument
-//! is needed at all. What is measured is that nothing is left of p − s.
+//! A socket: the target is in the same place in all samples of that name. Three rows; no instrument is needed at all.
+//! The measured value of p − s is zero.
 
 use crate::effects::{Place, PlaceKind};
 use crate::lanes::minus;

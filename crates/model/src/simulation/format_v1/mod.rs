@@ -2,15 +2,14 @@
 //!
 //! Beyond the keys of the contract a scenario may have `name`, `note`, `tolerance_mm` and `regions`
 //! (they go into the session), `planar` (z is not measured), `poses.random.count` and
-//! `noise.resolution_mm`. `measure` is how the samples are measured, in turn: `["point"]` where nothing is
-//! said, or any of point, pose, distance, bearing, pointing, socket, touch. What they refer to stands
-//! in `anchors`, `stations`, `planes`, `sockets`, `socket_distances_mm` and `pointing` as in a session,
-//! with where it really is; `unknown` lists which of anchors, stations, planes, sockets the session does
-//! not say. Their noise is what the instrument states (`sigma_mrad`, `sigma_distance_mm`,
-//! `sigma_direction_urad`, `sigma_touch_mm`; of a tracker `sigma_range_mm` and `sigma_angle_urad`), that
-//! of points and sockets `noise.sigma_mm`. A condition may be one number instead of a list. For a sliding joint the
-//! numbers under `from_deg`, `to_deg`, `step_deg`, `q_deg` and `speed_deg_s` are mm; `from_mm` and
-//! so on say the same more plainly.
+//! `noise.resolution_mm`. `measure` is how the samples are measured, in turn: `["point"]` by default, or any of point,
+//! pose, distance, bearing, pointing, socket, touch. What they refer to is in `anchors`, `stations`, `planes`,
+//! `sockets`, `socket_distances_mm` and `pointing` as in a session, with where it really is; `unknown` lists which of
+//! anchors, stations, planes, sockets the session does not state. Their noise is what the instrument states
+//! (`sigma_mrad`, `sigma_distance_mm`, `sigma_direction_urad`, `sigma_touch_mm`; of a tracker `sigma_range_mm` and
+//! `sigma_angle_urad`), that of points and sockets `noise.sigma_mm`. A condition may be one number instead of a list.
+//! For a prismatic joint the numbers under `from_deg`, `to_deg`, `step_deg`, `q_deg` and `speed_deg_s` are mm;
+//! `from_mm` and so on state the same more plainly.
 
 use std::path::{Path as FilePath, PathBuf};
 
@@ -37,13 +36,13 @@ use crate::sessions::files::open;
 use crate::sessions::validation;
 use values::{FLAG, WHOLE};
 
-/// What the key `format` says.
+/// The value of the key `format`.
 pub(crate) const FORMAT: &str = "truepose-scenario/1";
 
 /// A scenario and the notes and warnings that came up on the way.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadedScenario {
-    /// What the file says.
+    /// The scenario in the file.
     pub scenario: Scenario,
     /// Notes and warnings; no errors.
     pub findings: Vec<Diagnostic>,
@@ -82,7 +81,7 @@ fn read(text: &str, place: Place) -> Result<LoadedScenario, Rejected> {
         return Err(Rejected::of(findings));
     };
     for mut problem in scenario.problems() {
-        // Its field says where; the key that it begins with says on which line.
+        // Its field is the place; the key that it begins with has the line.
         let path = problem.place.field.clone().unwrap_or_default();
         let at = offset_of(&root, &path);
         problem.place = fields.source.place(at).in_field(path);
@@ -134,7 +133,7 @@ fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Scenario> {
     at.object(scenario, declare)
 }
 
-/// No scenario is written: what stands here only reads.
+/// No scenario is written: this only reads.
 fn nothing<T>(_: &T) -> Option<Value> {
     None
 }

@@ -1,10 +1,9 @@
-//! The restricted likelihood of a noise beside the columns of a fit (Patterson & Thompson 1971).
+//! The restricted likelihood of a noise given the columns of a fit (Patterson & Thompson 1971).
 //!
-//! The frame of a setup, and whatever else touches a stretch of the samples only, has columns that are zero everywhere
-//! else. Where there are many stretches their columns are taken out one stretch after the other
-//! ([`stretches`]), so that a session of many setups costs what its samples cost; otherwise all columns are carried
-//! through the filter ([`whole`]). What a robot does not repeat ties the axes together: then all columns go through the
-//! filter along all axes at once.
+//! The frame of a setup, and whatever else affects a stretch of the samples only, has columns that are zero everywhere
+//! else. Where there are many stretches their columns are eliminated one stretch after the other ([`stretches`]), so
+//! that a session of many setups costs what its samples cost; otherwise all columns go through the filter ([`whole`]).
+//! Repeatability correlates the axes: then all columns go through the filter along all axes at once.
 
 mod stretches;
 mod summed;
@@ -21,7 +20,7 @@ pub(super) use summed::NoiseShape;
 use summed::Summed;
 use whole::Whole;
 
-/// The restricted likelihood of noise beside the columns of a fit.
+/// The restricted likelihood of noise given the columns of a fit.
 pub(super) struct Restricted<'r> {
     rows: &'r Rows<'r>,
     pub(super) axes: Vec<usize>,
@@ -57,8 +56,8 @@ impl<'r> Restricted<'r> {
         }
     }
 
-    /// How far a row moves with the joints, root mean square over samples, mm for each rad; `None` where that is
-    /// not known.
+    /// How far a row moves with the joints, root mean square over samples, mm for each rad; `None` where that is not
+    /// known.
     pub(super) fn lever_mm(&self) -> Option<f64> {
         self.together.as_ref()?;
         let moves = self.rows.moves()?;
@@ -66,8 +65,8 @@ impl<'r> Restricted<'r> {
         (lever > 0.0).then_some(lever)
     }
 
-    /// Shortest and longest time constant that the samples can tell. What does not come back
-    /// within the session cannot be told from an offset and a drift of the frame, which are effects.
+    /// Shortest and longest time constant that the samples can determine. What does not come back within the session
+    /// cannot be distinguished from an offset and a drift of the frame, which are effects.
     pub(super) fn times(&self) -> (f64, f64) {
         let times = &self.rows.times;
         let mut apart: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).collect();
@@ -107,10 +106,10 @@ impl<'r> Restricted<'r> {
         ((self.rows.len() as f64) - self.rank() as f64).max(1.0)
     }
 
-    /// Standard deviation that is left, in units of σ.
+    /// Residual standard deviation, in units of σ.
     pub(super) fn scale(&self, shape: NoiseShape) -> f64 {
         let solved = self.summed(shape).and_then(|summed| summed.solved());
-        solved.map_or(0.0, |solved| (solved.left / self.freedom()).sqrt())
+        solved.map_or(0.0, |solved| (solved.rss / self.freedom()).sqrt())
     }
 
     /// Variance along each axis in units of σ², with its degrees of freedom.
@@ -124,8 +123,8 @@ impl<'r> Restricted<'r> {
         spread.unwrap_or_else(|| vec![(1.0, n); self.axes.len()])
     }
 
-    /// The same by differences: where `σ` along an axis grows, the square that is left falls by twice that of the axis,
-    /// and the determinant grows by twice the freedom.
+    /// The same by differences: where `σ` along an axis grows, the residual sum of squares falls by twice that of the
+    /// axis, and the determinant grows by twice the freedom.
     fn spread_by_differences(&self, shape: NoiseShape) -> Option<Vec<(f64, f64)>> {
         let at = |axis: usize, by: f64| {
             let mut shape = shape;
@@ -133,7 +132,7 @@ impl<'r> Restricted<'r> {
             let summed = self.summed(shape)?;
             let solved = summed.solved()?;
             let ln_determinant = solved.ln_determinant() + summed.ln_determinant;
-            Some((solved.left, ln_determinant))
+            Some((solved.rss, ln_determinant))
         };
         let one = |axis: &usize| {
             let (more, less) = (
@@ -161,7 +160,7 @@ impl<'r> Restricted<'r> {
             return (f64::NEG_INFINITY, 0.0);
         };
         let freedom = self.freedom();
-        let variance = (solved.left / freedom).max(rounding::WRITTEN * rounding::WRITTEN);
+        let variance = (solved.rss / freedom).max(rounding::WRITTEN * rounding::WRITTEN);
         let ln_determinant = solved.ln_determinant() + ln_determinant;
         let ln = -0.5 * (freedom * variance.ln() + ln_determinant);
         (ln, variance.sqrt())
@@ -194,8 +193,8 @@ mod tests {
         2.0 * root.diagonal().iter().map(|d| d.ln()).sum::<f64>()
     }
 
-    /// What it knows of the noise beside three columns in samples at irregular times, and the same from dense
-    /// matrices: ν, V⁻¹, P = V⁻¹ − V⁻¹X(XᵀV⁻¹X)⁻¹XᵀV⁻¹, the restricted likelihood and P y.
+    /// Its results given three columns in samples at irregular times, and the same from dense matrices: ν, V⁻¹, P =
+    /// V⁻¹ − V⁻¹X(XᵀV⁻¹X)⁻¹XᵀV⁻¹, the restricted likelihood and P y.
     fn compared(look: impl Fn(&Restricted, &DMatrix<f64>, &DMatrix<f64>, &DVector<f64>, f64)) {
         let session = sweep([0.0, 0.0, 1.0]);
         let problem = Problem::new(&session, JointValues::Commanded);
@@ -213,10 +212,10 @@ mod tests {
         });
         let inverse = covariance.clone().try_inverse().unwrap();
         let x = columns.qr().q();
-        let carried = &inverse * &x;
-        let information = x.transpose() * &carried;
+        let decayed = &inverse * &x;
+        let information = x.transpose() * &decayed;
         let known = information.clone().try_inverse().unwrap();
-        let projection = &inverse - &carried * known * carried.transpose();
+        let projection = &inverse - &decayed * known * decayed.transpose();
         let freedom = 3.0 * n as f64 - 3.0;
         let variance = residual.dot(&(&projection * &residual)) / freedom;
         let ln = ln_determinant(&covariance) + ln_determinant(&information);
@@ -259,12 +258,12 @@ mod tests {
         compared(|restricted, covariance, projection, residual, _| {
             let spread = restricted.spread(SHAPE);
             let n = residual.len() / 3;
-            // V P y is what the fit leaves, V P what it leaves of the rows.
-            let left = covariance * (projection * residual);
+            // V P y are the residuals of the fit, V P the residual-maker matrix.
+            let residuals = covariance * (projection * residual);
             let kept = covariance * projection;
             for (axis, (variance, freedom)) in spread.into_iter().enumerate() {
                 let own = covariance.view((axis * n, axis * n), (n, n)).into_owned();
-                let of_axis = left.rows(axis * n, n).into_owned();
+                let of_axis = residuals.rows(axis * n, n).into_owned();
                 let square = of_axis.dot(&(own.try_inverse().unwrap() * &of_axis));
                 let rest: f64 = (axis * n..(axis + 1) * n).map(|k| kept[(k, k)]).sum();
                 assert!((freedom - rest).abs() < 1e-8, "{freedom} {rest}");

@@ -1,25 +1,25 @@
-//! Columns that touch a stretch of the samples only, taken out one stretch after the other: an information filter over
-//! the state of the slow noise.
+//! Elimination of columns that affect a stretch of the samples only, one stretch after the other: an information
+//! filter over the state of the slow noise.
 //!
-//! Of a stretch the unknowns are the state `z` of the slow noise before it, the coefficients `f` of its own columns and
-//! the state `e` at its end; the coefficients `β` of the shared columns are carried along. Filtered from a known state,
+//! Of a stretch the unknowns are the state `z` of the slow noise before it, the coefficients `f` of its own columns
+//! and the state `e` at its end; the coefficients `β` of the shared columns are kept. Filtered from a known state,
 //! with white noise of 1, its samples and its end give
 //!
 //! ```text
 //! G z + F f + C β = y,   (e − H z + A f + B β − b)/√P = 0
 //! ```
 //!
-//! To the products of these rows come those of `z` and `β` from the stretches before; `z` and `f` are eliminated, and
-//! the products of `e` and `β` go on to the next one. The determinant gains that of the eliminated block, as `z` and
-//! `f` are integrated out. The filter itself makes all of it from two rows more: one before the samples that sets the
-//! state, one behind them that reads it (both states with the opposite sign).
+//! The products of `z` and `β` from the stretches before are added to those of these rows; `z` and `f` are eliminated,
+//! and the products of `e` and `β` go on to the next one. The determinant gains that of the eliminated block, as `z`
+//! and `f` are integrated out. The filter itself makes all of it from two rows more: one before the samples that sets
+//! the state, one behind them that reads it (both states with the opposite sign).
 
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::noise::carried;
+use crate::fit::noise::decayed;
 use crate::fit::noise::filter::{Axis, Filter, Step};
 use crate::fit::regression::Rows;
 use crate::linear::{Basis, DEPENDENT, gram};
@@ -75,12 +75,12 @@ impl Stretches {
             let q = Basis::new(&picked(&columns.select_columns(&own), n, samples)).q;
             for _ in 0..2 {
                 let here = picked(&common, n, samples);
-                let left = &here - &q * q.tr_mul(&here);
+                let remaining = &here - &q * q.tr_mul(&here);
                 for a in 0..rows.axes.len() {
                     let (first, len) = at(a, samples);
                     common
                         .rows_mut(first, len)
-                        .copy_from(&left.rows(a * len, len));
+                        .copy_from(&remaining.rows(a * len, len));
                 }
             }
             bases.push(q);
@@ -126,7 +126,7 @@ impl Stretches {
         self.own + self.shared - 1
     }
 
-    /// `None` where rounding leaves columns dependent.
+    /// `None` where columns are dependent by rounding.
     pub(super) fn summed(&self, rows: &Rows, shape: NoiseShape) -> Option<Summed> {
         let slow: Vec<usize> = (0..rows.axes.len())
             .filter(|a| shape.ratio[rows.axes[*a]] > 0.0)
@@ -142,9 +142,9 @@ impl Stretches {
                 after: if goes_on { slow.len() } else { 0 },
             };
             let (white, ln_of_noise) = stretch.whitened(rows, shape, &slow, layout);
-            let (left, ln_eliminated) = layout.eliminated(&white, &products)?;
+            let (remaining, ln_eliminated) = layout.eliminated(&white, &products)?;
             ln_determinant += ln_of_noise + ln_eliminated;
-            products = left;
+            products = remaining;
         }
         Some(Summed {
             gram: products,
@@ -167,7 +167,7 @@ fn touched(columns: &DMatrix<f64>, n: usize) -> Vec<Range<usize>> {
     columns.column_iter().map(of).collect()
 }
 
-/// Stretches that several columns touch and nothing else, none within another, in order.
+/// Stretches that several columns affect and nothing else, none within another, in order.
 fn disjoint(touched: &[Range<usize>], n: usize) -> Vec<Range<usize>> {
     let mut count: BTreeMap<(usize, usize, usize), usize> = BTreeMap::new();
     for range in touched.iter().filter(|range| 2 * range.len() <= n) {
@@ -198,15 +198,15 @@ fn picked(columns: &DMatrix<f64>, n: usize, samples: &Range<usize>) -> DMatrix<f
     own
 }
 
-/// A basis of columns of which a part was taken out; those of which nothing is left are none.
-fn independent(left: &DMatrix<f64>, before: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut left = left.clone();
-    for (mut column, before) in left.column_iter_mut().zip(before.column_iter()) {
+/// A basis of columns of which a part was projected out; without those that are zero after it.
+fn independent(remaining: &DMatrix<f64>, before: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut remaining = remaining.clone();
+    for (mut column, before) in remaining.column_iter_mut().zip(before.column_iter()) {
         if column.norm() <= DEPENDENT * before.norm() {
             column.fill(0.0);
         }
     }
-    Basis::new(&left).q
+    Basis::new(&remaining).q
 }
 
 /// How many columns of a stretch's rows are of the state before it, its own, and of the state at its end; those that
@@ -297,9 +297,9 @@ impl Stretch {
         };
         let mut steps = vec![sets];
         steps.extend(times[samples].iter().map(|time| {
-            let carry = carried(*time - before, tau);
+            let decay = decayed(*time - before, tau);
             before = *time;
-            Step::after(carry, sigma, rms, &mut variance)
+            Step::after(decay, sigma, rms, &mut variance)
         }));
         steps.push(Step {
             decay: 1.0,
@@ -331,17 +331,17 @@ impl Layout {
             own += products.view(from, (height, width));
         }
         let rest = all.ncols() - out;
-        let mut left = all.view((out, out), (rest, rest)).into_owned();
+        let mut remaining = all.view((out, out), (rest, rest)).into_owned();
         if out == 0 {
-            return Some((left, 0.0));
+            return Some((remaining, 0.0));
         }
         let factor = all.view((0, 0), (out, out)).into_owned().cholesky()?;
         let l = factor.l_dirty();
         let mut between = all.view((0, out), (out, rest)).into_owned();
         l.solve_lower_triangular_mut(&mut between);
-        left -= gram(&between);
+        remaining -= gram(&between);
         let ln = (0..out).map(|k| 2.0 * l[(k, k)].ln()).sum();
-        Some((left, ln))
+        Some((remaining, ln))
     }
 }
 

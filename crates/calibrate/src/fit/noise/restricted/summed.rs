@@ -1,4 +1,4 @@
-//! What the restricted likelihood asks of a noise, and what it makes of the answer.
+//! The inputs and results of the restricted likelihood of a noise.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
@@ -12,7 +12,7 @@ pub(in crate::fit::noise) struct NoiseShape {
     pub(in crate::fit::noise) ratio: [f64; 3],
     /// Standard deviations of the white part.
     pub(in crate::fit::noise) sigma: [f64; 3],
-    /// What the joints do not repeat.
+    /// The error of repeatability.
     pub(in crate::fit::noise) joints_rad: f64,
 }
 
@@ -48,11 +48,11 @@ pub(super) struct Summed {
     pub(super) ln_determinant: f64,
 }
 
-/// Factor of the columns' products, the step to the residual, and the square that is left.
+/// Factor of the columns' products, the step to the residual, and the residual sum of squares.
 pub(super) struct Solved {
     pub(super) factor: Cholesky<f64, nalgebra::Dyn>,
     pub(super) step: DVector<f64>,
-    pub(super) left: f64,
+    pub(super) rss: f64,
 }
 
 impl Summed {
@@ -62,8 +62,8 @@ impl Summed {
         let pull = self.gram.view((0, p), (p, 1)).column(0).into_owned();
         let factor = inner.cholesky()?;
         let step = factor.solve(&pull);
-        let left = (self.gram[(p, p)] - step.dot(&pull)).max(0.0);
-        Some(Solved { factor, step, left })
+        let rss = (self.gram[(p, p)] - step.dot(&pull)).max(0.0);
+        Some(Solved { factor, step, rss })
     }
 }
 

@@ -1,4 +1,4 @@
-//! Candidates beside the fits of a regression, and beside those fits without one of their terms.
+//! Scans of all candidates given a fit, and given that fit without one of its terms.
 
 use crate::effects::Term;
 use nalgebra::DMatrix;
@@ -9,22 +9,22 @@ use super::fit::Fit;
 use super::grams::Grams;
 use super::likelihood::{EFFECT_PRIOR_PENALTY, price_of};
 use super::memo::Key;
+use super::projections::{Projections, ReducedFit};
 use super::regression::Regression;
 use super::score::Score;
-use super::surroundings::{Surroundings, Without};
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::table::Candidate;
 use crate::side_by_side::Threads;
 
 impl Regression<'_> {
-    /// The candidates beside a fit.
-    pub(crate) fn surroundings(&self, fit: &Fit, among: CandidateSubset) -> Rc<Surroundings> {
+    /// The candidates' columns projected orthogonal to a fit.
+    pub(crate) fn projections(&self, fit: &Fit, among: CandidateSubset) -> Rc<Projections> {
         let key = Key::of(fit).with(among as usize);
-        let work = || Rc::new(self.surroundings_anew(fit, among));
-        self.surroundings.of_key(key, work)
+        let work = || Rc::new(self.new_projections(fit, among));
+        self.projections.of_key(key, work)
     }
 
-    fn surroundings_anew(&self, fit: &Fit, among: CandidateSubset) -> Surroundings {
+    fn new_projections(&self, fit: &Fit, among: CandidateSubset) -> Projections {
         let (columns, filter) = (&self.table.columns, &self.filter);
         let candidates = &self.table.candidates;
         let make = || Grams::new(columns, filter, candidates);
@@ -42,20 +42,20 @@ impl Regression<'_> {
         let mut pulls = pulls.row(0).transpose();
         let inside = fit.basis.q.tr_mul(&fit.residual);
         pulls.gemv_tr(-1.0, &along, &inside, 1.0);
-        Surroundings {
+        Projections {
             among,
             basis: Arc::clone(&fit.basis),
-            left: grams.less(&along, candidates.iter().filter(|c| among.has(c))),
+            projected: grams.less(&along, candidates.iter().filter(|c| among.has(c))),
             least: grams.least(candidates),
             along,
             pulls,
         }
     }
 
-    /// What a fit leaves of the columns of a candidate.
-    pub(crate) fn columns_beside(
+    /// The columns of a candidate projected orthogonal to a fit.
+    pub(crate) fn projected_columns(
         &self,
-        around: &Surroundings,
+        around: &Projections,
         candidate: &Candidate,
     ) -> DMatrix<f64> {
         let mut own = self.white_columns(&[candidate]);
@@ -64,21 +64,21 @@ impl Regression<'_> {
         own
     }
 
-    /// Scores candidates beside a fit; those that the fit leaves nothing of are left out.
+    /// Scores of candidates given a fit, without those that are linearly dependent on it.
     pub(crate) fn scan(&self, fit: &Fit, among: CandidateSubset) -> Vec<Score> {
-        let around = self.surroundings(fit, among);
+        let around = self.projections(fit, among);
         let whole = (fit.basis.rank(), fit.rss);
         self.scores(whole, among, |c| around.factor(c), around.pulls.as_slice())
     }
 
-    /// A fit without a term that was added. The evidence is an upper bound but for rounding: what a vector is
-    /// spared for components that are not there is not taken off.
-    pub(crate) fn without(&self, fit: &Fit, term: &Term) -> Option<Without> {
+    /// A fit without a term that was added. The evidence is an upper bound but for rounding: the correction of a
+    /// vector's penalty for its zero components is not subtracted.
+    pub(crate) fn without(&self, fit: &Fit, term: &Term) -> Option<ReducedFit> {
         self.without_all(fit, std::slice::from_ref(term))
     }
 
     /// The same without some of them.
-    pub(crate) fn without_all(&self, fit: &Fit, terms: &[Term]) -> Option<Without> {
+    pub(crate) fn without_all(&self, fit: &Fit, terms: &[Term]) -> Option<ReducedFit> {
         let (mut first, mut price) = (0, 0.0);
         let (mut columns, mut coefficients) = (Vec::new(), Vec::new());
         for own in fit.model.terms() {
@@ -94,7 +94,7 @@ impl Regression<'_> {
     }
 
     /// A fit without one of its shapes.
-    pub(crate) fn without_placed(&self, fit: &Fit, index: usize) -> Option<Without> {
+    pub(crate) fn without_placed(&self, fit: &Fit, index: usize) -> Option<ReducedFit> {
         let terms = fit.model.terms().iter().map(|t| t.coefficients.len());
         let before = fit.shapes[..index].iter().map(|s| s.white.ncols());
         let first = terms.sum::<usize>() + before.sum::<usize>();
@@ -110,14 +110,14 @@ impl Regression<'_> {
         columns: &[usize],
         coefficients: &[f64],
         price: f64,
-    ) -> Option<Without> {
+    ) -> Option<ReducedFit> {
         let (directions, parts) = fit.basis.only_of(columns)?;
         let own = DMatrix::from_column_slice(coefficients.len(), 1, coefficients);
         let explained = parts * own;
         let rss = fit.rss + explained.norm_squared();
         let (m, gone) = (self.m(), directions.ncols());
         let fell = -0.5 * m * (self.rounded(rss) / self.rounded(fit.rss)).ln();
-        Some(Without {
+        Some(ReducedFit {
             rss,
             rank: fit.basis.rank().saturating_sub(gone),
             ln_evidence: fit.ln_evidence + fell + 0.5 * gone as f64 * m.ln() + price,
@@ -126,13 +126,13 @@ impl Regression<'_> {
         })
     }
 
-    /// Scores of candidates beside a fit without some columns.
-    pub(crate) fn scan_without(&self, around: &Surroundings, rest: &Without) -> Vec<Score> {
-        let along = rest.directions.tr_mul(&around.along);
+    /// Scores of candidates given a reduced fit.
+    pub(crate) fn scan_without(&self, around: &Projections, reduced: &ReducedFit) -> Vec<Score> {
+        let along = reduced.directions.tr_mul(&around.along);
         let mut pulls = around.pulls.clone();
-        pulls.gemv_tr(1.0, &along, &rest.explained.column(0), 1.0);
+        pulls.gemv_tr(1.0, &along, &reduced.explained.column(0), 1.0);
         let factor = |c: &Candidate| around.factor_with(c, along.columns(c.first, c.size));
-        let reduced = (rest.rank, rest.rss);
+        let reduced = (reduced.rank, reduced.rss);
         self.scores(reduced, around.among, factor, pulls.as_slice())
     }
 }

@@ -1,4 +1,4 @@
-//! What the rows of a session leave beside the base model, and the columns of what may explain it.
+//! The residuals of a session in the base model, and the columns of what may explain them.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -24,8 +24,8 @@ pub(super) const MOST: usize = 6;
 /// The motion of what may move at a row: for each sample its columns.
 pub(super) type Motion = Vec<[Vector3<f64>; MOST]>;
 
-/// What the rows of a session leave, and the columns beside.
-pub(super) struct Left {
+/// The residuals of a session, and columns to explain them.
+pub(super) struct Residuals {
     pub(super) residual: DVector<f64>,
     pub(super) base: DMatrix<f64>,
     /// Of each joint, per unit.
@@ -34,21 +34,21 @@ pub(super) struct Left {
     pub(super) frame: Motion,
     /// Of a target.
     pub(super) target: Motion,
-    /// Where the model expects the measured points. A column of where they were measured has in it what is left.
+    /// The measured points as the model predicts them. A column of the measured ones would contain the residuals.
     pub(super) expected: Vec<[f64; 3]>,
     /// Samples, and axes of each.
     pub(super) n: usize,
-    /// Whether something may have moved before a sample: not between those that share what the robot does not repeat.
+    /// Whether something may have moved before a sample: not between those of the same pose.
     pub(super) may_move_at: Vec<bool>,
     pub(super) axes: Vec<usize>,
     /// The noise along each axis, up to a common factor.
     scale: Vec<f64>,
-    /// Where rows of a pose share what the robot does not repeat, in the place of that.
+    /// The whitening filter, where rows of a pose share the error of repeatability.
     filter: Option<Filter>,
 }
 
-impl Left {
-    /// With the base model fitted to these rows, and the root mean square of what that leaves, mm.
+impl Residuals {
+    /// With the base model fitted to these rows, and its RMS residual, mm.
     pub(super) fn after_a_fit(few: &Session, values: JointValues) -> Option<(Self, f64)> {
         let (model, rms_mm) = fitted(few, values)?;
         Some((Self::of(few, values, &model)?, rms_mm))
@@ -114,13 +114,13 @@ impl Left {
             std::array::from_fn(|k| if k < 3 { by(k) } else { zero })
         });
         let (frame, target) = (frame.collect(), target.collect());
-        // Axes count as the instrument is said to see them: what is left of them is the error that is looked for.
+        // Axes count by the stated noise of the instrument: their residuals contain the error that is searched for.
         let weights = problem.axis_weights;
         let scale: Vec<f64> = axes
             .iter()
             .map(|axis| weights[*axis].sqrt().recip())
             .collect();
-        let mut left = Self {
+        let mut residuals = Self {
             residual,
             base,
             joints,
@@ -133,13 +133,13 @@ impl Left {
             scale,
             filter: None,
         };
-        left.whiten();
-        Some(left)
+        residuals.whiten();
+        Some(residuals)
     }
 
-    /// The same where rows of a pose share what the robot does not repeat, as far as that shows beside some columns: they
-    /// are one witness of what moves it.
-    pub(super) fn beside_poses(
+    /// The same where rows of a pose share the error of repeatability, as far as it shows given some columns: they
+    /// have the information of one row on what moves it.
+    pub(super) fn with_pose_noise(
         mut self,
         few: &Session,
         values: JointValues,
@@ -161,7 +161,7 @@ impl Left {
         let columns: Vec<_> = columns.iter().map(in_mm).collect();
         let stated = few.instrument.sigma_mm;
         let noise =
-            Noise::estimate(stated, &rows, &residual, &beside(&base, &columns)).made_white();
+            Noise::estimate(stated, &rows, &residual, &joined(&base, &columns)).made_white();
         let poses = rows.inputs.pose.as_deref();
         if let Some(poses) = poses.filter(|_| noise.joints_rad > 0.0) {
             let begins = |i: usize| i == 0 || poses[i] != poses[i - 1];
@@ -174,7 +174,7 @@ impl Left {
         self
     }
 
-    /// Brings what is left and its columns to units of the noise.
+    /// Whitens the residuals and their columns.
     fn whiten(&mut self) {
         let all = std::mem::take(&mut self.joints).into_iter();
         self.joints = all.map(|column| self.whitened(column)).collect();
@@ -237,7 +237,7 @@ impl Left {
 }
 
 /// Columns side by side.
-pub(super) fn beside(base: &DMatrix<f64>, more: &[DVector<f64>]) -> DMatrix<f64> {
+pub(super) fn joined(base: &DMatrix<f64>, more: &[DVector<f64>]) -> DMatrix<f64> {
     let mut all = base
         .clone()
         .resize_horizontally(base.ncols() + more.len(), 0.0);
@@ -253,28 +253,28 @@ pub(super) fn beside(base: &DMatrix<f64>, more: &[DVector<f64>]) -> DMatrix<f64>
     all
 }
 
-/// What is left beside the base model and other columns.
-pub(super) struct Beside<'a> {
-    left: &'a Left,
+/// The residuals projected orthogonal to the base model and other columns.
+pub(super) struct Projected<'a> {
+    residuals: &'a Residuals,
     pub(super) basis: Basis,
-    /// Rows that are wrong in themselves count as what is usual.
+    /// Outliers are limited to what is usual.
     pub(super) free: DVector<f64>,
     square: f64,
     freedom: f64,
 }
 
-impl<'a> Beside<'a> {
-    /// `None` where no direction is left.
-    pub(super) fn of(left: &'a Left, columns: &[DVector<f64>]) -> Option<Self> {
-        let basis = Basis::new(&beside(&left.base, columns));
-        let free = basis.reject(&left.residual);
+impl<'a> Projected<'a> {
+    /// `None` without degrees of freedom.
+    pub(super) fn of(residuals: &'a Residuals, columns: &[DVector<f64>]) -> Option<Self> {
+        let basis = Basis::new(&joined(&residuals.base, columns));
+        let free = basis.reject(&residuals.residual);
         let freedom = free.len().checked_sub(basis.rank()).filter(|n| *n > 0)? as f64;
         let usual = median(free.iter().map(|e| e.abs()))?;
         let free = free.map(|e| e.clamp(-WRONG * usual, WRONG * usual));
         let free = basis.reject(&free);
         let square = free.norm_squared();
         Some(Self {
-            left,
+            residuals,
             basis,
             free,
             square,
@@ -282,24 +282,24 @@ impl<'a> Beside<'a> {
         })
     }
 
-    /// The logarithm by which columns of so many numbers that take this square out of what is left are likelier than
-    /// none: Zellner's prior with the weight of one row (Liang et al. 2008, equation 6). Of many rows it is the BIC; of
-    /// few it stays finite however little is left.
+    /// The logarithm by which so many columns that reduce the residual sum of squares by this are likelier than none:
+    /// Zellner's prior with the weight of one row (Liang et al. 2008, equation 6). Of many rows it is the BIC; of few
+    /// it stays finite however small the residual is.
     pub(super) fn nats(&self, gain: f64, numbers: usize) -> f64 {
         let rows = self.free.len() as f64;
-        let left = (1.0 - gain / self.square).clamp(0.0, 1.0);
+        let share = (1.0 - gain / self.square).clamp(0.0, 1.0);
         let spent = self.freedom - numbers as f64;
-        0.5 * (spent * rows.ln_1p() - self.freedom * (rows * left).ln_1p())
+        0.5 * (spent * rows.ln_1p() - self.freedom * (rows * share).ln_1p())
     }
 
-    /// The logarithm by which a column is likelier than none whose part of this square was taken out before.
+    /// The logarithm by which a column is likelier than none whose part of this square was projected out before.
     pub(super) fn nats_without(&self, gain: f64) -> f64 {
         let square = self.square.max(f64::MIN_POSITIVE);
         let rows = self.free.len() as f64;
         0.5 * self.freedom * (1.0 + gain / square).ln() - 0.5 * rows.ln()
     }
 
-    /// What columns take out of what is left: their factors, and the logarithm by which they are likelier than none.
+    /// The coefficients of columns fitted to the residuals, and the logarithm by which they are likelier than none.
     pub(super) fn with(&self, columns: &[DVector<f64>]) -> (DVector<f64>, f64) {
         let own = self.own(columns);
         let taken = &self.free - own.reject(&self.free);
@@ -307,24 +307,24 @@ impl<'a> Beside<'a> {
         (own.solve(&self.free), nats / self.dilution(&own))
     }
 
-    /// What is the columns' own.
+    /// A basis of the columns projected orthogonal to the others.
     pub(super) fn own(&self, columns: &[DVector<f64>]) -> Basis {
         let own: Vec<_> = columns.iter().map(|c| self.basis.reject(c)).collect();
         Basis::new(&DMatrix::from_columns(&own))
     }
 
-    /// By how much rows that follow one another say the same beside some columns: (1 + ρ)/(1 − ρ) with the correlation
-    /// ρ of neighbours, at least 1.
+    /// By how much the information of successive rows is reduced by correlation, given some columns: (1 + ρ)/(1 − ρ)
+    /// with the correlation ρ of neighbours, at least 1.
     pub(super) fn dilution(&self, own: &Basis) -> f64 {
-        let left = own.reject(&self.free);
-        let n = self.left.n;
+        let residual = own.reject(&self.free);
+        let n = self.residuals.n;
         let of_axis = |a: usize| {
             (a * n + 1..(a + 1) * n)
-                .map(|row| left[row] * left[row - 1])
+                .map(|row| residual[row] * residual[row - 1])
                 .sum::<f64>()
         };
-        let product: f64 = (0..self.left.axes.len()).map(of_axis).sum();
-        let correlation = (product / left.norm_squared().max(1e-300)).clamp(0.0, 0.95);
+        let product: f64 = (0..self.residuals.axes.len()).map(of_axis).sum();
+        let correlation = (product / residual.norm_squared().max(1e-300)).clamp(0.0, 0.95);
         (1.0 + correlation) / (1.0 - correlation)
     }
 }

@@ -1,19 +1,19 @@
-//! What candidates would do beside a fit, and beside the same fit without one of its terms, from one table: with `Q` the
-//! orthonormal columns of the fit, which leaves `r`,
+//! Gains of candidates given a fit, and given the same fit without one of its terms, from one table: with `Q` the
+//! orthonormal columns of the fit and `r` its residual,
 //!
 //! ```text
 //! P = W − Q A,   A = Qᵀ W,   PᵀP = WᵀW − AᵀA,   Pᵀr = Wᵀr − Aᵀ Qᵀ r
 //! ```
 //!
-//! With `u = Q c` the part of the columns that only one term spans, those of the rest are those of `Q` without `u`, and
-//! everything beside the rest follows by rank:
+//! With `u = Q c` the directions that only one term spans, the basis of the reduced fit is `Q` without `u`, and its
+//! products follow by an update of low rank:
 //!
 //! ```text
 //! b = cᵀ (Qᵀ W),   PᵀP + bᵀb,   Pᵀr + bᵀβ,   ‖r‖² + ‖β‖²,   β = uᵀ (what the term explains)
 //! ```
 //!
-//! so that a question about each of the terms in turn costs no fit and no sample is looked at again. To first
-//! order: the others' columns stay where the fit has them. What comes close is fitted before it is used.
+//! so that a question about each of the terms in turn costs no fit and no sample is visited again. To first order: the
+//! columns of the other terms are kept as they are in the fit. What comes close is fitted before it is used.
 
 use std::sync::Arc;
 
@@ -24,52 +24,52 @@ use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::table::Candidate;
 use crate::linear::{Basis, small_cholesky, small_gain};
 
-/// The candidates beside a fit.
-pub(crate) struct Surroundings {
+/// The candidates' columns projected orthogonal to a fit.
+pub(crate) struct Projections {
     pub(crate) among: CandidateSubset,
     pub(super) basis: Arc<Basis>,
     /// Products of the fit's orthonormal columns with the candidates'.
     pub(crate) along: DMatrix<f64>,
-    /// What the fit leaves of every candidate's own products.
-    pub(crate) left: Grams,
-    /// How much of each column has to be left for it to count.
+    /// Gram matrices of the projected columns.
+    pub(crate) projected: Grams,
+    /// The least square norm of a projected column for it to count.
     pub(crate) least: Vec<f64>,
-    /// Products of what is left of the candidates with the residual.
+    /// Products of the projected columns with the residual.
     pub(crate) pulls: DVector<f64>,
 }
 
-/// What a fit is without some of its columns, to first order.
+/// A fit without some of its columns, to first order.
 #[derive(Debug, Clone)]
-pub(crate) struct Without {
+pub(crate) struct ReducedFit {
     /// `c`: of the fit's orthonormal columns, those that the columns alone span.
     pub(crate) directions: DMatrix<f64>,
     /// `β`, a single column.
     pub(crate) explained: DMatrix<f64>,
-    /// The sum of squares that is left.
+    /// The residual sum of squares.
     pub(crate) rss: f64,
     /// The rank.
     pub(crate) rank: usize,
-    /// At least how likely it is; [`Regression::without`] says by how much it may be less.
+    /// A lower bound of the logarithm of the evidence; [`Regression::without`] states by how much it may be too low.
     pub(crate) ln_evidence: f64,
 }
 
-impl Surroundings {
-    /// Cholesky factor of what is left of a candidate's columns (lower, row by row), and their rank.
+impl Projections {
+    /// Cholesky factor of the Gram matrix of a candidate's projected columns (lower, row by row), and their rank.
     pub(crate) fn factor(&self, candidate: &Candidate) -> (Vec<f64>, usize) {
         let (first, k) = (candidate.first, candidate.size);
-        let mut gram = self.left.of(candidate).to_vec();
+        let mut gram = self.projected.of(candidate).to_vec();
         let rank = small_cholesky(&mut gram, k, &self.least[first..first + k]);
         (gram, rank)
     }
 
-    /// The same where these products of them come back.
+    /// The same with these products added back.
     pub(super) fn factor_with(
         &self,
         candidate: &Candidate,
         back: DMatrixView<f64>,
     ) -> (Vec<f64>, usize) {
         let (first, k) = (candidate.first, candidate.size);
-        let mut gram = self.left.of(candidate).to_vec();
+        let mut gram = self.projected.of(candidate).to_vec();
         for i in 0..k {
             for j in 0..=i {
                 gram[i * k + j] += back.column(i).dot(&back.column(j));
@@ -80,12 +80,12 @@ impl Surroundings {
     }
 
     /// By how much a candidate would lower the sum of squares of a fit without some columns.
-    pub(crate) fn gain(&self, rest: &Without, candidate: &Candidate) -> f64 {
+    pub(crate) fn gain(&self, reduced: &ReducedFit, candidate: &Candidate) -> f64 {
         let (first, k) = (candidate.first, candidate.size);
-        let back = rest.directions.tr_mul(&self.along.columns(first, k));
+        let back = reduced.directions.tr_mul(&self.along.columns(first, k));
         let (factor, _) = self.factor_with(candidate, back.as_view());
         let mut pulls = self.pulls.rows(first, k).into_owned();
-        pulls.gemv_tr(1.0, &back, &rest.explained.column(0), 1.0);
+        pulls.gemv_tr(1.0, &back, &reduced.explained.column(0), 1.0);
         small_gain(&factor, k, pulls.as_mut_slice())
     }
 }
@@ -122,20 +122,20 @@ mod tests {
             let candidates = &regression.table.candidates;
             fit = regression.with(&fit, &candidates.iter().find(wanted).unwrap().what);
         }
-        let around = regression.surroundings(&fit, CandidateSubset::Names);
+        let around = regression.projections(&fit, CandidateSubset::Names);
         for term in regression.added(&fit) {
             let known = regression.without(&fit, term).unwrap();
-            let rest = regression.without_term(&fit, term);
+            let reduced = regression.without_term(&fit, term);
             assert!(
-                (known.rss / rest.rss - 1.0).abs() < 0.01,
+                (known.rss / reduced.rss - 1.0).abs() < 0.01,
                 "{} {}",
                 known.rss,
-                rest.rss
+                reduced.rss
             );
-            assert_eq!(known.rank, rest.basis.rank());
-            assert!((known.ln_evidence - rest.ln_evidence).abs() < 1.0);
+            assert_eq!(known.rank, reduced.basis.rank());
+            assert!((known.ln_evidence - reduced.ln_evidence).abs() < 1.0);
             let by_table = regression.scan_without(&around, &known);
-            let by_fit = regression.scan(&rest, CandidateSubset::Names);
+            let by_fit = regression.scan(&reduced, CandidateSubset::Names);
             assert_eq!(by_table.len(), by_fit.len());
             for (a, b) in by_table.iter().zip(&by_fit) {
                 assert_eq!(a.candidate, b.candidate);

@@ -1,9 +1,9 @@
-//! What is looked at of an arm's session for what no session states.
+//! The samples of an arm's session in which effects that no session states are searched for, with their residuals.
 
 use nalgebra::DVector;
 
 use super::fits::fitted;
-use super::left::Left;
+use super::residuals::Residuals;
 use super::rows::RowsInOrder;
 use super::thresholds::MOST_SAMPLES;
 use crate::answers::diagnosis::DataProblem;
@@ -11,19 +11,19 @@ use crate::effects::JointValues;
 use crate::fit::base_model;
 use crate::sessions::Session;
 
-/// What is found, and the logarithm by which it is likelier than it has to be.
+/// What is found, and the logarithm by which its odds exceed the threshold.
 pub(super) type Unstated = (f64, DataProblem);
 
-/// Rows of an arm's session that are looked at, and what the base model leaves of them.
-pub(super) struct Looked {
+/// Rows of an arm's session that are examined, and their residuals in the base model.
+pub(super) struct Examined {
     pub(super) rows: RowsInOrder,
     pub(super) few: Session,
-    pub(super) left: Left,
-    /// Root mean square of what is left, mm.
+    pub(super) residuals: Residuals,
+    /// RMS residual, mm.
     pub(super) rms_mm: f64,
 }
 
-impl Looked {
+impl Examined {
     /// `None` of a single joint, and where points are measured in parts.
     pub(super) fn at(session: &Session, values: JointValues) -> Option<Self> {
         if !base_model::is_arm(session) || !session.has_plain_points() {
@@ -32,11 +32,12 @@ impl Looked {
         let rows = RowsInOrder::of(session, MOST_SAMPLES);
         let few = rows.select(session);
         let (model, rms_mm) = fitted(&few, values)?;
-        let left = Left::of(&few, values, &model)?.beside_poses(&few, values, &model, &[]);
+        let residuals =
+            Residuals::of(&few, values, &model)?.with_pose_noise(&few, values, &model, &[]);
         Some(Self {
             rows,
             few,
-            left,
+            residuals,
             rms_mm,
         })
     }
@@ -45,7 +46,7 @@ impl Looked {
     pub(super) fn waves(&self) -> Vec<DVector<f64>> {
         let orders = [1.0, 2.0].into_iter();
         orders
-            .flat_map(|order| self.left.waves(&self.few, order))
+            .flat_map(|order| self.residuals.waves(&self.few, order))
             .collect()
     }
 }
