@@ -106,10 +106,16 @@ fn evenly(ui: &mut Ui, workbench: &Workbench) {
     });
 }
 
+/// Whether regions were made or changed here, by hand.
+fn are_by_hand(workbench: &Workbench) -> bool {
+    let document = workbench.document();
+    let own = &document.loaded_session.session.regions;
+    document.division == Division::Given && own[..] != document.regions[..]
+}
+
 /// Offers the regions that the session brings along.
 fn own(ui: &mut Ui, workbench: &Workbench) {
-    let own = &workbench.loaded_session().session.regions;
-    if own.is_empty() || own[..] == workbench.document().regions[..] {
+    if workbench.loaded_session().session.regions.is_empty() || !are_by_hand(workbench) {
         return;
     }
     let button = ui.button(say!("Reset to session"));
@@ -165,18 +171,22 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, outside: usize) {
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     let regional = document.identified && document.method == Method::Regional;
-    let loaded_session = workbench.loaded_session();
-    let possible = loaded_session.single_revolute()
-        && !loaded_session.is_empty()
-        && !document.regions.is_empty();
+    let possible = workbench.loaded_session().single_revolute() && !document.regions.is_empty();
+    // A diagnosis replaces what is identified by region: only to who has made regions is it the next thing.
+    let wanted = are_by_hand(workbench) && !document.identified;
     if possible && !regional {
         let says = say!("Optional: fills the next step, Identify, region by region");
         ui.hint_if_roomy(says);
-        ui.primary(say!("Identify by region"))
-            .does(workbench, move |bench| {
-                bench.identify(Some(Method::Regional));
-            });
-        return;
+        let text = say!("Identify by region");
+        let button = if wanted {
+            ui.primary(text)
+        } else {
+            ui.secondary(text)
+        };
+        button.does(workbench, |bench| bench.identify(Some(Method::Regional)));
+        if wanted {
+            return;
+        }
     }
     ui.primary(say!("Continue to identify"))
         .does(workbench, move |bench| bench.view.step = Step::Identify);
