@@ -2,18 +2,19 @@
 //! cannot be made.
 
 use std::collections::BTreeSet;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::diagnosis::SessionCorrection;
 use crate::document::degrees;
 use crate::effects::{CATALOGUE, Term};
-use crate::export::{find, usual};
+use crate::export::{Motors, Zeros, find, usual};
 use crate::fit::{DEFAULT_EFFECTS, regions_of};
 use crate::gui::core::answer::{LoadedModel, Question, QuestionDetails};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::regions::{self, Decision, Division};
 use crate::gui::core::setup::SetupForm;
-use crate::kinematics::{JointKind, Robot};
+use crate::kinematics::{DhConvention, JointKind, Robot};
 use crate::language::spoken;
 use crate::model::RegionalCorrection;
 use crate::sessions::division::RegionChoice;
@@ -32,7 +33,7 @@ pub(crate) enum Method {
 }
 
 /// Which table is exported, and how.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ExportChoice {
     /// Name of the format.
     pub(crate) format: &'static str,
@@ -40,20 +41,31 @@ pub(crate) struct ExportChoice {
     pub(crate) joint: usize,
     /// Step of the table, degrees or mm; `None`: what the format needs.
     pub(crate) step: Option<f64>,
+    /// Who takes the zero offsets of the joints; `None`: what the format is for.
+    pub(crate) zeros: Option<Zeros>,
+    /// Convention of Denavit–Hartenberg rows; `None`: the one that the robot came in.
+    pub(crate) convention: Option<DhConvention>,
+    pub(crate) motors: Motors,
+    /// File that the export starts from.
+    pub(crate) reference: Option<PathBuf>,
 }
 
 impl ExportChoice {
     /// What is offered first.
-    fn usual(robot: &Robot) -> Self {
+    pub(crate) fn usual(robot: &Robot) -> Self {
         Self {
             format: usual(robot).id,
             joint: 0,
             step: None,
+            zeros: None,
+            convention: None,
+            motors: Motors::default(),
+            reference: None,
         }
     }
 
     /// Whether it is the same table, at whatever step.
-    pub(crate) fn is_of_the_table(self, other: Self) -> bool {
+    pub(crate) fn is_of_the_table(&self, other: &Self) -> bool {
         (self.format, self.joint) == (other.format, other.joint)
     }
 

@@ -6,8 +6,8 @@ pub(crate) mod writing;
 
 pub(crate) use crate::pipeline::is_model;
 pub(crate) use system::{
-    cancelled, choose_beside, choose_declarations, choose_logo, choose_targets, choose_to_export,
-    choose_to_import, choose_to_open, open_outside,
+    cancelled, choose_beside, choose_declarations, choose_logo, choose_reference, choose_targets,
+    choose_to_export, choose_to_import, choose_to_open, open_outside,
 };
 #[cfg(test)]
 pub(crate) use writing::not_written;

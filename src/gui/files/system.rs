@@ -45,6 +45,11 @@ pub(crate) fn choose_declarations(program: &Path) -> Option<PathBuf> {
     pick(Some(program), say!("File of the controller"), &[])
 }
 
+/// Asks the user for a file that an export starts from.
+pub(crate) fn choose_reference(near: Option<&Path>) -> Option<PathBuf> {
+    pick(near, say!("File that the export starts from"), &[])
+}
+
 /// Asks the user for a picture for the head of a report.
 pub(crate) fn choose_logo(near: Option<&Path>) -> Option<PathBuf> {
     let dialog = dialog_beside(near).set_title(say!("Logo of the report"));

@@ -1,17 +1,19 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
-use egui::{DragValue, RichText, ScrollArea, Ui};
+use egui::{Button, DragValue, RichText, ScrollArea, Ui};
 
 use crate::explain::{self, Block, Detail, Exported, Section, Topic};
-use crate::export::{EXPORTERS, find};
+use crate::export::{Asked, EXPORTERS, Motors, Zeros, find};
 use crate::gui::actions;
 use crate::gui::cache::{ExportPreview, StandardsFigures};
+use crate::gui::core::disk::name_of;
 use crate::gui::core::document::ExportChoice;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, Step, What};
 use crate::gui::views::{blocks, copies};
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
+use crate::kinematics::DhConvention;
 use crate::language::spoken;
 
 use super::blocks::in_words;
@@ -80,7 +82,7 @@ fn reports(ui: &mut Ui, workbench: &Workbench) {
 }
 
 fn export(ui: &mut Ui, workbench: &Workbench) {
-    let choice = workbench.document().export;
+    let choice = &workbench.document().export;
     ui.section(say!("Format"));
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
@@ -89,7 +91,10 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
             let response = ui.radio(format.id == choice.format, spoken(format.title));
             let format = format.id;
             if response.clicked() && format != choice.format {
-                let choice = ExportChoice { format, ..choice };
+                let choice = ExportChoice {
+                    format,
+                    ..choice.clone()
+                };
                 workbench.edits(move |document| document.choose_export(choice));
             }
         }
@@ -98,6 +103,8 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
     if find(choice.format).is_some_and(|format| format.rules.is_some()) {
         ui.section(say!("Table"));
         joint_and_step(ui, workbench, choice);
+    } else {
+        of_the_robot(ui, workbench, choice);
     }
     match workbench.export() {
         None if workbench.is_unprepared() => {
@@ -138,9 +145,60 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-fn joint_and_step(ui: &mut Ui, workbench: &Workbench, choice: ExportChoice) {
+/// What a description of the robot is asked for: what of the model the file takes, and what the controller does.
+fn of_the_robot(ui: &mut Ui, workbench: &Workbench, choice: &ExportChoice) {
+    let asked = Asked::by(choice.format, &workbench.loaded_session().session.robot);
+    let mut next = choice.clone();
+    if let Some(usual) = asked.zeros {
+        let offered = [
+            (Zeros::Origins, say!("origins")),
+            (Zeros::Controller, say!("controller")),
+        ];
+        ui.weak(say!("zero offsets")).on_hover_text(say!(
+            "Who takes the zero offsets of the joints of a corrected robot, the geometry of the file or the controller, never both"
+        ));
+        next.zeros = ui
+            .segmented(&offered, choice.zeros.unwrap_or(usual))
+            .or(next.zeros);
+    }
+    if let Some(usual) = asked.convention {
+        let offered = [
+            (DhConvention::Standard, say!("standard")),
+            (DhConvention::Modified, say!("modified")),
+        ];
+        ui.weak(say!("Convention of DH rows"));
+        let now = choice.convention.unwrap_or(usual);
+        next.convention = ui.segmented(&offered, now).or(next.convention);
+    }
+    if asked.motors {
+        ui.weak(say!("servos"));
+        ui.choice(
+            &Motors::ALL.map(|(name, motors)| (motors, name)),
+            &mut next.motors,
+        );
+    }
+    if asked.reference {
+        ui.weak(say!("File that the export starts from")).on_hover_text(say!(
+            "The URDF that the robot was read from, to be changed in place with its names and meshes; the motor calibration of lerobot that was active while measuring"
+        ));
+        if let Some(path) = &choice.reference {
+            let name = name_of(path);
+            let without = Button::new(format!("× {name}"));
+            if ui.named(say!("Without {name}", name), without).clicked() {
+                next.reference = None;
+            }
+        }
+        let choose = ui.secondary(say!("Choose…"));
+        choose.does(workbench, Workbench::choose_reference);
+    }
+    if next != *choice {
+        workbench.edits(move |document| document.choose_export(next));
+    }
+}
+
+fn joint_and_step(ui: &mut Ui, workbench: &Workbench, choice: &ExportChoice) {
     let joints = &workbench.loaded_session().session.robot.joints;
-    let mut next = choice;
+    let mut next = choice.clone();
     if joints.len() > 1 {
         let mut joint = choice.joint + 1;
         let field = DragValue::new(&mut joint).range(1..=joints.len());
@@ -157,7 +215,7 @@ fn joint_and_step(ui: &mut Ui, workbench: &Workbench, choice: ExportChoice) {
         let field = field.max_decimals(4).suffix(unit);
         ui.number(say!("step"), unit.trim(), field);
     }
-    if next != choice {
+    if next != *choice {
         workbench.edits(move |document| document.choose_export(next));
     }
 }

@@ -164,17 +164,18 @@ impl Workbench {
             say!("There is nothing to export yet"),
             say!("Identify the robot first"),
         ])?;
-        let (choice, question) = (self.document().export, self.question());
+        let (choice, question) = (self.document().export.clone(), self.question());
+        let inputs = choice.reference.iter().cloned().collect();
         let wanted = PreviewRequest {
             identified,
-            choice,
+            choice: choice.clone(),
             name: None,
         };
         let make = move |path: &Path, _: &Watch| {
             Ok((writing::documents(&wanted, what, path)?, Vec::new()))
         };
         let then = move |bench: &mut Self, message| bench.take_exported(message, question, choice);
-        Ok(later(Vec::new(), make, then))
+        Ok(later(inputs, make, then))
     }
 
     /// Everything that the open session, its model and its tables stand in: no paper replaces it.
@@ -342,6 +343,19 @@ impl Workbench {
                 wanted.with.push(path);
                 bench.compensate(wanted);
             }
+        });
+    }
+
+    /// Asks for a file that the export starts from.
+    pub(crate) fn choose_reference(&mut self) {
+        let says = say!("waiting for a file to be chosen");
+        self.choose_near(says, files::choose_reference, |bench, path| {
+            let reference = path.or_else(|| bench.document().export.reference.clone());
+            let choice = ExportChoice {
+                reference,
+                ..bench.document().export.clone()
+            };
+            bench.edit(|document| document.choose_export(choice));
         });
     }
 

@@ -224,6 +224,7 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
                     .random::<bool>()
                     .then(|| random.random_range(-1.0..10.0)),
                 joint: random.random_range(0..2),
+                ..ExportChoice::usual(&loaded_session.session.robot)
             },
             |bench, it| bench.edit(|d| d.choose_export(it)),
         ),
