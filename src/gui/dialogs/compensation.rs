@@ -1,11 +1,11 @@
 //! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
 //! targets are left as they are and why.
 
-use egui::{Align, Button, DragValue, Layout, RadioButton, RichText, ScrollArea, Ui};
+use egui::{Align, Button, DragValue, Layout, RadioButton, RichText, ScrollArea, Ui, vec2};
 use egui_extras::{Column, TableBuilder};
 
 use crate::explain::{self, Detail, Section, Topic};
-use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG};
+use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG, stated_names};
 use crate::gui::core::disk::name_of;
 use crate::gui::files;
 use crate::gui::style::{Palette, size, space, strong};
@@ -109,6 +109,18 @@ fn asked(
         ];
         one_of(ui, say!("External axis"), choices, &mut wanted.external);
     }
+    ui.folded(say!("More"), |ui| {
+        for ((name, written), typed) in stated_names().iter().zip(&mut wanted.typed) {
+            ui.form_row(name, |ui| {
+                let size = vec2(220.0, space::CONTROL);
+                let says = format!("{name}: {written}");
+                if let Some(text) = widgets::text_when_complete(ui, &says, typed, size) {
+                    text.trim().clone_into(typed);
+                }
+                ui.caption(written);
+            });
+        }
+    });
     if wanted != *before {
         workbench.then(move |bench| bench.compensate(wanted));
     }
