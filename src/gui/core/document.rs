@@ -245,7 +245,9 @@ impl Document {
     pub(crate) fn choose_method(&mut self, method: Method) -> Changed {
         self.ask_samples()?;
         if method == Method::Regional && !self.loaded_session.single_revolute() {
-            return Err(say!("regions are for a single joint that turns").to_owned());
+            return Err(
+                say!("regions divide what was measured with a single joint that turns").to_owned(),
+            );
         }
         self.method = method;
         Ok(phrase!("choose method"))
@@ -315,7 +317,7 @@ impl Document {
         let mut added = self.added.to_vec();
         added
             .get_mut(index)
-            .ok_or(say!("there is no such effect"))?
+            .ok_or(say!("it is not there any more"))?
             .on = on;
         let what = if on {
             phrase!("switch effect on")
@@ -386,7 +388,7 @@ impl Document {
         as_saved(&mut session);
         let left = session.samples.len();
         if session.samples.incomplete().len() == left {
-            return Err(say!("no sample would be left").to_owned());
+            return Err(say!("no sample would be left to fit").to_owned());
         }
         let same_rows = left == self.loaded_session.len();
         self.take_session(session);
@@ -510,19 +512,16 @@ impl Document {
     pub(crate) fn rename(&mut self, region: usize, name: &str) -> Changed {
         let name = name.trim();
         if name.is_empty() {
-            return Err(say!("a region needs a name").to_owned());
+            return Err(say!("a name is missing").to_owned());
         }
         let taken = |(k, r): (usize, &Region)| k != region && r.name == name;
         if self.regions.iter().enumerate().any(taken) {
-            return Err(say!(
-                "another region is called {name}; choose another name",
-                name
-            ));
+            return Err(say!("{name} is taken; choose another name", name));
         }
         let mut regions = self.regions.to_vec();
         let renamed = regions
             .get_mut(region)
-            .ok_or(say!("there is no such region"))?;
+            .ok_or(say!("it is not there any more"))?;
         name.clone_into(&mut renamed.name);
         self.regions = regions.into();
         Ok(phrase!("rename region"))

@@ -60,13 +60,13 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench) {
     // Where nothing was corrected what is asked above is answered, or another file is taken.
     let (next, ready) = match &compensated.result {
         Ok(corrected) => (
-            say!("Save corrected file…"),
+            widgets::dots(say!("Save corrected file")),
             corrected.summary.corrected > 0,
         ),
-        Err(_) if differs.is_empty() => (say!("Choose another file…"), true),
-        Err(_) => (say!("Save corrected file…"), false),
+        Err(_) if differs.is_empty() => (widgets::dots(say!("Choose another file")), true),
+        Err(_) => (widgets::dots(say!("Save corrected file")), false),
     };
-    match ui.foot([(say!("Cancel"), true), (next, ready)]) {
+    match ui.foot([(say!("Cancel"), true), (&next, ready)]) {
         Some(0) => workbench.then(|bench| bench.show_sheet(None)),
         Some(_) if compensated.result.is_err() => workbench.then(Workbench::choose_targets),
         Some(_) => workbench.then(|bench| bench.choose_where_to_export(What::Targets)),

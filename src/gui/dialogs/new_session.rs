@@ -94,7 +94,8 @@ fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     if let Some(index) = gone {
         form.effects.remove(index);
     }
-    let list = ComboBox::from_id_salt("add effect").selected_text(say!("Add an effect…"));
+    let list =
+        ComboBox::from_id_salt("add effect").selected_text(widgets::dots(say!("Add an effect")));
     let list = list.width(240.0).height(360.0).show_ui(ui, |ui| {
         for (id, title) in form.offered() {
             let another = form.another(id);

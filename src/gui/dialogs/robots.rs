@@ -299,9 +299,9 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, entered: bool, workbench: &Workb
     let any = chosen.is_some();
     let pressed = ui.foot([
         (say!("Cancel"), true),
-        (say!("As a table…"), any),
-        (say!("Save robot file…"), any),
-        (say!("Simulate…"), any),
+        (&*widgets::dots(say!("Robot as a table")), any),
+        (&*widgets::dots(say!("Save robot file")), any),
+        (&*widgets::dots(say!("Simulate")), any),
     ]);
     match (pressed, chosen) {
         (Some(0), _) => workbench.then(|bench| bench.show_sheet(None)),

@@ -164,7 +164,7 @@ pub(crate) fn first_example() -> Arc<LoadedSession> {
 pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
     let Some(named) = EXAMPLES.get(index) else {
         return Err(Message::wrong(
-            say!("There is no such example").to_owned(),
+            crate::text::capital(say!("it is not there any more")),
             vec![say!("The examples are in the File menu").to_owned()],
         ));
     };

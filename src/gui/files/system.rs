@@ -10,7 +10,7 @@ use crate::gui::import_draft::{Companion, ROBOTS, TABLES};
 use crate::gui::view::What;
 use crate::language;
 use crate::programs::LANGUAGES;
-use crate::text::{Template, spoken};
+use crate::text::{Template, capital, spoken};
 
 /// Asks the user for a file of one of these kinds, beside this one.
 fn pick(near: Option<&Path>, title: &str, kinds: &[(&str, &[&str])]) -> Option<PathBuf> {
@@ -42,7 +42,7 @@ pub(crate) fn choose_targets(near: Option<&Path>) -> Option<PathBuf> {
 
 /// Asks the user for a file of the controller beside a program.
 pub(crate) fn choose_declarations(program: &Path) -> Option<PathBuf> {
-    pick(Some(program), say!("File of the controller"), &[])
+    pick(Some(program), say!("Choose a file of the controller"), &[])
 }
 
 /// Asks the user for a file that an export starts from.
@@ -115,9 +115,9 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
         What::Table | What::Targets => match path.extension().and_then(|ending| ending.to_str()) {
             Some(ending) => {
                 let name = if what == What::Table {
-                    say!("Table")
+                    capital(say!("table"))
                 } else {
-                    say!("Targets")
+                    say!("Targets").to_owned()
                 };
                 dialog.add_filter(format!("{name} (*.{ending})"), &[ending])
             }

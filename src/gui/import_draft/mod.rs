@@ -458,23 +458,23 @@ pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
 const OPTIONS: [(&str, Template); 16] = [
     (
         "--in-measuring-order",
-        phrase!("“the rows are in the order in which they were measured”"),
+        phrase!("the rows are in the order in which they were measured"),
     ),
-    ("--clock-offset", phrase!("“Clocks apart by”")),
-    ("--match order", phrase!("“Matched” by order")),
-    ("--match name", phrase!("“Matched” by name")),
-    ("--match", phrase!("“Matched”")),
+    ("--clock-offset", phrase!("Clocks apart by")),
+    ("--match order", phrase!("by order")),
+    ("--match name", phrase!("by name")),
+    ("--match", phrase!("Matched")),
     ("--commands", phrase!("a file of commands")),
     ("--targets", phrase!("a file of reflectors")),
     ("--reference", phrase!("a file of known points")),
-    ("--angle-unit", phrase!("“Angles in”")),
-    ("--separator", phrase!("“Separated by”")),
-    ("--decimal", phrase!("“Decimal sign”")),
+    ("--angle-unit", phrase!("Angles in")),
+    ("--separator", phrase!("Separated by")),
+    ("--decimal", phrase!("Decimal sign")),
     ("--columns", phrase!("the columns above as")),
-    ("--z-up", phrase!("“y points up”")),
-    ("--scale", phrase!("“fit a scale too”")),
-    ("--joint", phrase!("“Joint measured”")),
-    ("--unit", phrase!("“Lengths in”")),
+    ("--z-up", phrase!("y points up: turn it so that z does")),
+    ("--scale", phrase!("fit a scale too")),
+    ("--joint", phrase!("Joint measured")),
+    ("--unit", phrase!("Lengths in")),
 ];
 
 /// A finding in the words of the window: what is only noted needs no key of the document.
@@ -494,7 +494,7 @@ pub(crate) fn in_the_sheets_words(sentence: &str) -> String {
     let said = OPTIONS
         .iter()
         .fold(sentence.to_owned(), |said, (option, field)| {
-            said.replace(option, spoken(*field))
+            said.replace(option, &format!("“{}”", spoken(*field)))
         });
     // Options that one format has, the longer names first: one may begin like another.
     let own = IMPORTERS.iter().flat_map(|importer| importer.options);

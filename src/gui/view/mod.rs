@@ -13,7 +13,6 @@ use crate::gui::core::overview::ROOM;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::ImportDraft;
-use crate::language::known_words;
 use crate::present::numbers::Notation;
 use crate::present::units::{AngleUnit, LengthUnit};
 use crate::text::{Language, current};
@@ -452,11 +451,6 @@ impl Plot {
         }
     }
 
-    /// Its name in the language of the window.
-    pub(crate) fn title(self) -> String {
-        known_words("plot", self.name()).unwrap_or_else(|| self.name().to_owned())
-    }
-
     /// What its file is called unless the user says otherwise.
     pub(crate) fn file_name(self, session: &str, ending: &str) -> String {
         let session = plain(session);
@@ -546,22 +540,22 @@ impl Preferences {
         }
     }
 
-    /// The unit of lengths behind this one, and how it is offered.
-    pub(crate) fn next_length(&self) -> (LengthUnit, &'static str) {
+    /// The unit of lengths behind this one.
+    pub(crate) fn next_length(&self) -> LengthUnit {
         match self.length {
-            LengthUnit::Millimetre => (LengthUnit::Micrometre, say!("Lengths in µm")),
-            LengthUnit::Micrometre => (LengthUnit::Inch, say!("Lengths in inches")),
-            LengthUnit::Inch => (LengthUnit::Millimetre, say!("Lengths in mm")),
+            LengthUnit::Millimetre => LengthUnit::Micrometre,
+            LengthUnit::Micrometre => LengthUnit::Inch,
+            LengthUnit::Inch => LengthUnit::Millimetre,
         }
     }
 
-    /// The unit of angles behind this one, and how it is offered.
-    pub(crate) fn next_angle(&self) -> (AngleUnit, &'static str) {
+    /// The unit of angles behind this one.
+    pub(crate) fn next_angle(&self) -> AngleUnit {
         match self.angle {
-            AngleUnit::Degree => (AngleUnit::Radian, say!("Angles in radians")),
-            AngleUnit::Radian => (AngleUnit::Milliradian, say!("Angles in mrad")),
-            AngleUnit::Milliradian => (AngleUnit::ArcSecond, say!("Angles in arcsec")),
-            AngleUnit::ArcSecond => (AngleUnit::Degree, say!("Angles in degrees")),
+            AngleUnit::Degree => AngleUnit::Radian,
+            AngleUnit::Radian => AngleUnit::Milliradian,
+            AngleUnit::Milliradian => AngleUnit::ArcSecond,
+            AngleUnit::ArcSecond => AngleUnit::Degree,
         }
     }
 

@@ -15,6 +15,7 @@ use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::kinematics::DhConvention;
 use crate::language::spoken;
+use crate::text::capital;
 
 use super::blocks::in_words;
 
@@ -71,12 +72,12 @@ fn reports(ui: &mut Ui, workbench: &Workbench) {
     }
     if identified {
         let text = if measured {
-            say!("Report of the model…")
+            widgets::dots(say!("Report of the model"))
         } else {
-            say!("Report…")
+            widgets::dots(say!("Report"))
         };
         let what = What::Report(About::Model);
-        let report = ui.secondary(text);
+        let report = ui.secondary(&text);
         report.does(workbench, move |bench| bench.choose_where_to_export(what));
     }
 }
@@ -101,7 +102,7 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
     });
     // A description of the robot is about all joints and has no steps.
     if find(choice.format).is_some_and(|format| format.rules.is_some()) {
-        ui.section(say!("Table"));
+        ui.section(&capital(say!("table")));
         joint_and_step(ui, workbench, choice);
     } else {
         of_the_robot(ui, workbench, choice);
@@ -122,7 +123,7 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
             } else {
                 // What the format cannot hold is switched off here, or left out of the fit.
                 super::gap::switches(ui, workbench);
-                let back = ui.secondary(say!("Go to identify"));
+                let back = ui.secondary(say!("Change the model"));
                 back.does(workbench, |bench| bench.view.step = Step::Identify);
             }
         }
@@ -313,8 +314,7 @@ fn text(ui: &mut Ui, text: &str) {
 
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
-        let back = ui.primary(say!("Go to identify"));
-        return back.does(workbench, |bench| bench.view.step = Step::Identify);
+        return super::steps::go_on(ui, workbench, Step::Identify);
     }
     let format = find(workbench.document().export.format);
     let title = format.map_or(say!("table"), |f| f.extension);

@@ -11,6 +11,7 @@ use crate::gui::core::loaded_session::Origin;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets::{self, Buttons, Does};
 use crate::gui::workbench::Workbench;
+use crate::text::capital;
 
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
@@ -43,7 +44,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
         // A menu bar takes all the width that it is given.
         let menus = ui.allocate_ui(egui::vec2(MENUS, ui.available_height()), |ui| {
             MenuBar::new().ui(ui, |ui| {
-                header(ui, say!("File"), |ui| file(ui, workbench));
+                header(ui, &capital(say!("file")), |ui| file(ui, workbench));
                 header(ui, say!("Edit"), |ui| edit(ui, workbench));
                 header(ui, say!("View"), |ui| view(ui, workbench));
                 header(ui, say!("Help"), |ui| help(ui, workbench));

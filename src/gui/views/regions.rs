@@ -8,6 +8,7 @@ use crate::gui::core::regions::{self, Count, End, SNAP_DEG};
 use crate::gui::help;
 use crate::gui::style::{Palette, space};
 use crate::gui::view::Step;
+use crate::gui::views::steps::go_on;
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::{grouped, trimmed};
@@ -119,7 +120,7 @@ fn own(ui: &mut Ui, workbench: &Workbench) {
         return;
     }
     let button = ui.button(say!("Reset to session"));
-    let button = button.on_hover_text(say!("take the regions that the session brings along"));
+    let button = button.on_hover_text(say!("take regions from session"));
     button.does(workbench, |bench| bench.edit(Document::regions_of_session));
 }
 
@@ -188,8 +189,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
             return;
         }
     }
-    ui.primary(say!("Continue to identify"))
-        .does(workbench, move |bench| bench.view.step = Step::Identify);
+    go_on(ui, workbench, Step::Identify);
 }
 
 /// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.
@@ -272,15 +272,15 @@ fn more(ui: &mut Ui, regions: &[Region], k: usize, workbench: &Workbench) {
         ui.menu_button("…", |ui| {
             ui.set_min_width(180.0);
             let wide = regions::split(regions, k).is_some();
-            if item(ui, say!("Split in half"), wide, say!("it is too narrow")) {
+            if item(ui, say!("Split in half"), wide, say!("the region is too narrow to be split")) {
                 workbench.edits(move |document| document.split(k));
             }
             let first = next.map(|_| k).or(before);
-            if item(ui, merge, first.is_some(), say!("no region touches it")) {
+            if item(ui, merge, first.is_some(), say!("no region begins where this one ends; enter the end of this region as the start of the next one first")) {
                 workbench.edits(move |document| document.join(first.unwrap_or(k)));
             }
             let others = regions.len() > 1;
-            if item(ui, say!("Delete"), others, say!("the last region stays")) {
+            if item(ui, say!("Delete"), others, say!("the last region stays: without one nothing is corrected")) {
                 workbench.edits(move |document| document.delete(k));
             }
         })

@@ -18,6 +18,7 @@ use crate::gui::workbench::Workbench;
 use crate::language::spoken;
 use crate::present::decision;
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
+use crate::text::capital;
 
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let side = workbench.view.side;
@@ -32,7 +33,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     }
     let sides = [
         (Side::Results, say!("Summary")),
-        (Side::Samples, say!("Samples")),
+        (Side::Samples, &capital(say!("samples"))),
     ];
     ui.row(|ui| {
         // Where there is no room for both, what is chosen says where one is.
@@ -237,8 +238,8 @@ pub(super) fn controls(ui: &mut Ui, workbench: &Workbench) {
     ui.section(say!("Method"));
     if workbench.loaded_session().single_revolute() {
         let methods = [
-            (Method::Exact, say!("Full model")),
-            (Method::Regional, say!("By region")),
+            (Method::Exact, &*capital(say!("full model"))),
+            (Method::Regional, &*capital(say!("by region"))),
         ];
         if let Some(method) = ui.segmented(&methods, document.method) {
             workbench.edits(move |document| document.choose_method(method));
@@ -302,8 +303,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if document.loaded_model.is_none() {
         ui.hint_if_roomy(say!("Identified; the result follows every change"));
     }
-    ui.primary(say!("Continue to diagnose"))
-        .does(workbench, move |bench| bench.view.step = Step::Gap);
+    super::steps::go_on(ui, workbench, Step::Gap);
 }
 
 /// What there is to say about the model itself.

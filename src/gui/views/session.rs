@@ -24,7 +24,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     ui.section(say!("Measured"));
     facts(ui, workbench);
     tolerance(ui, workbench, Ui::number);
-    if ui.secondary(say!("Robot and instrument…")).clicked() {
+    if ui
+        .secondary(&widgets::dots(say!("Robot and instrument")))
+        .clicked()
+    {
         let form = SetupForm::of(&workbench.loaded_session().session);
         workbench.then(move |bench| bench.show_sheet(Some(Sheet::set_up(form))));
     }
@@ -215,13 +218,12 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if loaded_session.origin == Origin::Bundled {
         ui.hint(say!("This is an example that comes with the program"));
     }
-    let (step, text) = if workbench.document().loaded_model.is_some() {
-        (Step::Export, say!("Continue to export"))
+    let step = if workbench.document().loaded_model.is_some() {
+        Step::Export
     } else if loaded_session.single_revolute() {
-        (Step::Regions, say!("Continue to regions"))
+        Step::Regions
     } else {
-        (Step::Identify, say!("Continue to identify"))
+        Step::Identify
     };
-    ui.primary(text)
-        .does(workbench, move |bench| bench.view.step = step);
+    super::steps::go_on(ui, workbench, step);
 }

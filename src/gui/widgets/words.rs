@@ -104,7 +104,7 @@ impl Words for Ui {
     fn question(&mut self, word: Word) {
         let palette = Palette::of(self);
         let (rect, response) = self.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
-        let says = say!("what {word} means", word = within(word.name()));
+        let says = say!("what {word} means", word = within(&word.name()));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, says.clone()));
         let painter = self.painter();
         painter.circle_stroke(rect.center(), 6.5, Stroke::new(1.0, palette.nominal));
@@ -113,6 +113,11 @@ impl Words for Ui {
         painter.text(rect.center(), centre, "?", font, palette.muted);
         explained(response, word);
     }
+}
+
+/// The name of what asks for more before it is done.
+pub(crate) fn dots(name: &str) -> String {
+    say!("{name}…", name)
 }
 
 /// Text whose lines are no longer than can be read.

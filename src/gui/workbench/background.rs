@@ -83,7 +83,7 @@ impl Workbench {
         {
             self.stop_search();
             let title = say!("The diagnosis was stopped: what it was about has changed").to_owned();
-            let again = say!("Run it again for what is here now").to_owned();
+            let again = say!("Run diagnosis again").to_owned();
             self.view.message = Some(Message::done(title, vec![again]));
         }
     }
@@ -242,13 +242,17 @@ impl Workbench {
         };
         let path = self.placed(self.name_of(what).as_ref());
         let ask = move || files::choose_to_export(what, &path);
-        self.choose(say!("waiting for a file name"), ask, move |bench, path| {
-            if let Some(path) = path {
-                // The dialog has asked.
-                return write(bench, path, true);
-            }
-            bench.type_path(what);
-        });
+        self.choose(
+            say!("waiting for a file to be chosen"),
+            ask,
+            move |bench, path| {
+                if let Some(path) = path {
+                    // The dialog has asked.
+                    return write(bench, path, true);
+                }
+                bench.type_path(what);
+            },
+        );
     }
 
     /// Waits for the system's dialog, of which there is one at a time.

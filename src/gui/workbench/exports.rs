@@ -213,7 +213,7 @@ impl Workbench {
             }
             _ => {
                 return Err([
-                    say!("There is nothing to report yet"),
+                    say!("There is nothing to export yet"),
                     say!("Open a session, or identify the robot first"),
                 ]);
             }

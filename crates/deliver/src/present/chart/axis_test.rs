@@ -139,10 +139,10 @@ impl AxisDeviation<'_> {
         let way =
             |name: &str, form| Entry::new(name, LegendSymbol::Mark(form), ColourRole::Noise, false);
         if has(|p| &p.up) {
-            legend.push(way(say!(in "chart-word", "approach +"), Form::Forwards));
+            legend.push(way(say!("approach +"), Form::Forwards));
         }
         if has(|p| &p.down) {
-            legend.push(way(say!(in "chart-word", "approach −"), Form::Backwards));
+            legend.push(way(say!("approach −"), Form::Backwards));
         }
         let curve = |item: &Item| item.colour_role() == Some(ColourRole::Curve);
         if items.iter().any(curve) {
