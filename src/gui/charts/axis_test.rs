@@ -22,7 +22,7 @@ impl ChartKind for OfAxis {
     fn about(&self) -> About {
         let names = [
             phrase!("position"),
-            phrase!("Deviation over position, run by run"),
+            phrase!("Deviation over position"),
         ];
         let word = Word {
             name: phrase!("Deviation over position"),
@@ -89,7 +89,7 @@ impl ChartKind for OfAxis {
         notes.retain(|note| !note.is_empty());
         Ok(Shown {
             chart: made.chart(title, notes.join(" · ")),
-            name: say!("deviation over position, run by run").to_owned(),
+            name: say!("Deviation over {label}, run by run", label = say!("position")),
             description,
             pointed: HoverTarget::Nothing,
         })

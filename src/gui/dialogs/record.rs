@@ -58,7 +58,7 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
             ui.end_row();
             ui.weak(say!("Decision rule"));
             let rules = [
-                (None, say!("not decided")),
+                (None, say!("Not decided")),
                 (Some(Rule::Iso14253), "ISO 14253-1"),
                 (Some(Rule::Simple), say!("simple acceptance")),
             ];

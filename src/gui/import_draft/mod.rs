@@ -437,7 +437,7 @@ pub(crate) fn listed(mut lines: Vec<String>) -> Vec<String> {
     let more = lines.len().saturating_sub(MOST);
     lines.truncate(MOST);
     if more > 0 {
-        lines.push(say!(in "common", "and {more} more", more));
+        lines.push(say!("and {more} more", more));
     }
     lines
 }

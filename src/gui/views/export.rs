@@ -358,7 +358,7 @@ fn standards(ui: &mut Ui, workbench: &Workbench) {
     widgets::card(ui, |ui| {
         ui.bold(say!("Accuracy and repeatability"));
         match workbench.figures() {
-            None => ui.hint(say!("The figures are being computed")),
+            None => ui.hint(say!("Computing…")),
             Some(Err(because)) => ui.hint(because),
             Some(Ok(made)) => tables(ui, made),
         }

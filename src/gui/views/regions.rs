@@ -148,7 +148,7 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, outside: usize) {
         let gap = format!("{} … {}", units.angle(*from), units.angle(*to));
         let more = match gaps.len() {
             1 => gap,
-            n => say!("{gap} and {n} more", gap, n = n - 1),
+            n => say!("{first} and {more} more", first = gap, more = n - 1),
         };
         let says = match outside {
             0 => say!("{more}: in no region, and no sample is there", more),
@@ -363,14 +363,12 @@ fn samples(ui: &mut Ui, workbench: &Workbench, k: usize, count: Count) {
         return;
     }
     let response = ui.add_sized(room, egui::Link::new(number));
-    let says = match count.all {
-        1 => say!("Show the sample of region {region}", region = region.name),
-        n => say!(
-            "Show the {samples} of region {region}",
-            samples = say!(one "{count} sample", "{count} samples", count = grouped(n)),
-            region = region.name
-        ),
-    };
+    let samples = say!(one "{count} sample", "{count} samples", count = grouped(count.all));
+    let says = say!(
+        "Show the {samples} of region {region}",
+        samples,
+        region = region.name
+    );
     widgets::label(&response, says.clone());
     if response.on_hover_text(says).clicked() {
         let samples = samples_of(workbench, k);

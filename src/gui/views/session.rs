@@ -164,7 +164,7 @@ fn findings(ui: &mut Ui, workbench: &Workbench) {
         }
     });
     if findings.len() > MOST {
-        ui.hint(say!(in "common", "and {more} more", more = findings.len() - MOST));
+        ui.hint(say!("and {more} more", more = findings.len() - MOST));
     }
 }
 

@@ -291,7 +291,7 @@ impl Workbench {
             choice,
             name: saved.map(|(_, name)| name.clone()),
         };
-        let how = (Kind::Prepares, say!("preparing the table"));
+        let how = (Kind::Prepares, say!("The table is being prepared"));
         self.derive(
             how,
             |derived| &mut derived.preview,

@@ -267,7 +267,10 @@ impl ReportContext<'_> {
                 format!("{} ({at}) mm", clean(&t.name))
             })
             .collect();
-        facts.push(fact(say!("Reflectors in the tool"), targets.join("; ")));
+        facts.push(fact(
+            say!("Reflectors in the tool frame"),
+            targets.join("; "),
+        ));
         facts.push(fact(capital(say!("samples")), self.samples()));
         if let Some(measured) = s.kinds_in_words().map(spoken) {
             facts.push(fact(say!("Measured"), measured));

@@ -8,6 +8,7 @@ use crate::gui::import_draft::ImportDraft;
 use crate::gui::style::{Palette, size, strong};
 use crate::gui::widgets::{self, Words};
 use crate::importers::{ColumnGuess, Importer, Known, Meanings};
+use crate::present::units::in_unit;
 
 /// Rows that are shown.
 const ROWS: usize = 5;
@@ -59,8 +60,8 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
         let text = say!("speed of joint {n}, °/s", n);
         add(&format!("speed{n}_deg_s"), &text);
     }
-    add("load_kg", say!("load, kg"));
-    add("temperature_c", say!("temperature, °C"));
+    add("load_kg", &in_unit(say!("load"), "kg"));
+    add("temperature_c", &in_unit(say!("temperature"), "°C"));
     add("time_s", say!("time, s"));
     add("setup", say!("setup of the instrument"));
     add("use", say!("fit, held-out or excluded"));
