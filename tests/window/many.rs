@@ -92,7 +92,7 @@ fn a_preparation_that_is_cancelled_is_begun_again_when_that_is_asked_for() {
     window.get_by_label("5 Export").click();
     until(&mut window, "The table is being prepared");
     window.get_by_label("Cancel").click();
-    until(&mut window, "The preparation of the table was cancelled");
+    until(&mut window, "It was cancelled");
     seconds(&mut window, 3);
     assert!(
         !says(&window, "The table is being prepared"),

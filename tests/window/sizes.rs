@@ -282,7 +282,7 @@ fn every_step_fits_at_every_size_before_anything_is_identified() {
         "Continue to identify",
         "Identify",
         "Run diagnosis",
-        "Go to identify",
+        "Continue to identify",
     ];
     for size in SIZES {
         let mut window = window(size);

@@ -6,6 +6,7 @@ use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
     of_noise,
 };
+use crate::text::capital;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
 use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
@@ -68,7 +69,7 @@ fn distribution(scene: &Scene) -> Result<Distribution, ChartPlaceholder> {
     let length = scene.component == Component::Length;
     let found = Distribution::new(&before, after.as_deref(), length);
     found.ok_or(ChartPlaceholder::new(
-        say!("No sample can be counted"),
+        capital(say!("no sample to show")),
         say!("Every sample lacks a joint value or a coordinate"),
     ))
 }

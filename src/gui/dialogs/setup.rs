@@ -173,7 +173,13 @@ fn rows(ui: &mut Ui, typed: &mut RobotTable, any: bool) {
                 joint(ui, number, row, heads);
                 let remove = Button::new("×").min_size(vec2(24.0, NAME[1]));
                 let remove = ui.add_enabled(several, remove);
-                widgets::label(&remove, say!("Remove joint {joint}", joint = number));
+                widgets::label(
+                    &remove,
+                    say!(
+                        "Remove {effect}",
+                        effect = say!("joint {joint}", joint = number)
+                    ),
+                );
                 if remove.clicked() {
                     gone = Some(index);
                 }

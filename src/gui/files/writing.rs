@@ -86,13 +86,7 @@ pub(crate) fn save(
         let session = document.session_to_save();
         match pipeline::save_watched(&session, &path, replacing, watch.progress_callback()) {
             Ok(_) => Ok(outputs.iter().filter_map(|o| Fingerprint::of(o)).collect()),
-            Err(error) => Err(NotSaved::Because(Message::wrong(
-                say!("{path} could not be saved", path = path.display()),
-                vec![
-                    advice(&error),
-                    say!("What was there before is there still").to_owned(),
-                ],
-            ))),
+            Err(error) => Err(NotSaved::Because(not_written(&path, advice(&error)))),
         }
     };
     Saved {

@@ -109,7 +109,7 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
     }
     match workbench.export() {
         None if workbench.is_unprepared() => {
-            ui.hint(say!("The preparation of the table was cancelled"));
+            ui.hint(capital(say!("it was cancelled")));
             let again = ui.secondary(say!("Prepare the table"));
             again.does(workbench, Workbench::prepare_again);
         }
@@ -237,7 +237,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
         Some(Err(_)) => ui.hint(say!("No preview: this export is refused")),
         None if workbench.answer().is_none() => super::coverage::show(ui, workbench),
         None if workbench.is_unprepared() => {
-            ui.hint(say!("The preparation of the table was cancelled"));
+            ui.hint(capital(say!("it was cancelled")));
         }
         None => ui.hint(say!("The table is being prepared")),
     }
@@ -318,11 +318,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     }
     let format = find(workbench.document().export.format);
     let title = format.map_or(say!("table"), |f| f.extension);
-    let says = if format.is_some_and(|f| f.rules.is_none()) {
-        say!("Save robot as .{title}…", title)
-    } else {
-        say!("Save table as .{title}…", title)
-    };
+    let says = say!("Save as .{title}…", title);
     let ready = matches!(workbench.export(), Some(Ok(_))) || workbench.is_unprepared();
     if is_refused_for_an_arm(workbench) {
         let compensate = ui.primary(say!("Compensate…"));

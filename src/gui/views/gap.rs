@@ -85,7 +85,7 @@ fn under_way_here(ui: &mut Ui, workbench: &Workbench) {
     let Some(running) = workbench.searching() else {
         return;
     };
-    ui.section(say!("Diagnosing"));
+    ui.section(say!("Diagnosis is running"));
     if !actions::layout(ui.ctx(), workbench).results() {
         names(ui, &running.found());
     }

@@ -15,6 +15,7 @@ use crate::present::numbers::{grouped, trimmed};
 use crate::present::units::AngleUnit;
 use crate::sessions::Region;
 use crate::sessions::regions::Assignment;
+use crate::text::capital;
 use crate::units::rad_from_deg;
 
 /// Regions that are offered when there are none: the paper's number.
@@ -26,9 +27,9 @@ const MOST_EVEN: usize = 360;
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     if loaded_session.is_empty() {
-        ui.hint(say!(
-            "Regions divide what was measured: open a session that was measured on this robot"
-        ));
+        ui.hint(capital(say!(
+            "nothing was measured yet: open a session that was measured on this robot"
+        )));
         return;
     }
     division(ui, workbench);

@@ -195,11 +195,10 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     ui.bold(say!("Correction of each region"));
     let table = explain::corrections(results, intervals, workbench.units());
     blocks::show(ui, &[table]);
-    ui.hint(if intervals {
-        say!("What to add, ± half the 95 % interval")
-    } else {
-        say!("What to add")
-    });
+    ui.hint(say!("What to add"));
+    if intervals {
+        ui.hint(say!("± half the 95 % interval"));
+    }
     copies::button(ui, say!("regions"), || copies::regions(results));
 }
 
@@ -227,9 +226,7 @@ pub(super) fn controls(ui: &mut Ui, workbench: &Workbench) {
             given = given.file_name()
         ));
         if workbench.loaded_session().is_empty() {
-            ui.hint(say!(
-                "To identify the robot anew, open a session that was measured on it"
-            ));
+            ui.hint(say!("Open a session that was measured on this robot"));
             return;
         }
         let anew = ui.secondary(say!("Identify from this session"));
@@ -333,9 +330,9 @@ pub(super) fn about(
             ui.fact(&name, measured);
         }
         if workbench.loaded_session().is_empty() {
-            ui.hint(say!(
-                "Nothing was measured yet. Open a session that was measured on this robot, and what the model does there will be shown here"
-            ));
+            ui.hint(capital(say!(
+                "nothing was measured yet: open a session that was measured on this robot"
+            )));
         }
     });
 }

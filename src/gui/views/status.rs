@@ -86,7 +86,7 @@ fn idle(ui: &mut Ui, workbench: &Workbench) {
     if workbench.is_declined() {
         ui.small_button(say!("Identify again"))
             .does(workbench, move |bench| bench.identify(None));
-        let says = RichText::new(say!("the identification was cancelled")).size(size::NOTE);
+        let says = RichText::new(say!("it was cancelled")).size(size::NOTE);
         ui.colored_label(Palette::of(ui).warning, says);
     }
 }
@@ -286,10 +286,11 @@ fn file_that_changed(ui: &mut Ui, workbench: &Workbench) {
 /// where it is the document the user has to.
 fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path) {
     let beside = workbench.samples_file() == Some(gone);
+    let says = say!("Save it again");
     let says = if beside {
-        say!("Save it again")
+        says.to_owned()
     } else {
-        say!("Save it again…")
+        widgets::dots(says)
     };
     ui.button(says).does(workbench, move |bench| {
         if beside {

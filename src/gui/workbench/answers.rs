@@ -263,7 +263,7 @@ impl Workbench {
             };
             self.view.message = title.map(|title| {
                 let undo =
-                    say!("The diagnosis starts from the full model; undo brings the other back");
+                    say!("The diagnosis starts from the full model, which takes the place of what is identified now. Undo brings that back");
                 Message::done(title.to_owned(), vec![undo.to_owned()])
             });
             self.identify(Some(Method::Exact));

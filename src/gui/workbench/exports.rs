@@ -120,7 +120,7 @@ impl Workbench {
             What::Session => {
                 if self.loaded_session().is_empty() {
                     return Err([
-                        say!("There is no session to save"),
+                        say!("There is nothing to export yet"),
                         say!("A model by itself is saved in the Export step"),
                     ]);
                 }
@@ -147,7 +147,7 @@ impl Workbench {
             }
             What::Poses => {
                 let diagnosis = self.diagnosis().ok_or([
-                    say!("There is no measuring list yet"),
+                    say!("There is nothing to export yet"),
                     say!("Run the diagnosis first"),
                 ])?;
                 let robot = &self.loaded_session().session.robot;
@@ -214,7 +214,7 @@ impl Workbench {
             _ => {
                 return Err([
                     say!("There is nothing to export yet"),
-                    say!("Open a session, or identify the robot first"),
+                    say!("Open a session that was measured on this robot"),
                 ]);
             }
         };
@@ -371,8 +371,8 @@ impl Workbench {
     ) {
         let Some(outcome) = by else {
             return self.complain(
-                say!("There is no model to correct targets by"),
-                [say!("Identify the robot first, or open a model")],
+                say!("The targets were not corrected"),
+                [say!("Identify the robot first")],
             );
         };
         // What is typed is within the field's range; a command need not be.
@@ -405,7 +405,7 @@ impl Workbench {
     /// The corrected targets, and what was changed beside them.
     fn targets(&self) -> Result<Write, [&'static str; 2]> {
         let compensated = self.derived.compensated.clone().ok_or([
-            say!("There are no corrected targets yet"),
+            say!("There is nothing to export yet"),
             say!("Choose a table of targets or a robot program first"),
         ])?;
         let mut inputs = self.inputs();

@@ -94,7 +94,7 @@ fn foot(ui: &mut Ui, workbench: &Workbench, cancelled: bool, missing: Option<&st
                 .does(workbench, Workbench::cancel_look);
             widgets::look_again_soon(ui);
         } else if cancelled {
-            ui.hint(say!("Looking at the file was cancelled"));
+            ui.hint(capital(say!("it was cancelled")));
             ui.button(say!("Look again"))
                 .does(workbench, Workbench::keep_looking);
         } else if let Some(missing) = missing {
