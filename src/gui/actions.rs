@@ -97,6 +97,17 @@ impl Action {
         }
     }
 
+    /// Itself as a sign.
+    pub(crate) fn sign(&self, ui: &mut Ui, workbench: &Workbench, sign: &str) {
+        let says = self.label(workbench);
+        let enabled = (self.enabled)(workbench);
+        let button = ui.add_enabled_ui(enabled, |ui| ui.icon_button(sign, &says));
+        let button = button.inner.on_hover_text(&says);
+        if button.on_disabled_hover_text(&says).clicked() {
+            self.ask_for(ui.ctx(), workbench);
+        }
+    }
+
     /// Itself as what comes next.
     pub(crate) fn next(&self, ui: &mut Ui, workbench: &Workbench) {
         let button = |ui: &mut Ui| ui.primary(&self.label(workbench)).clicked();
@@ -157,7 +168,7 @@ actions! {
     EXAMPLE_3: PLAIN, F4, |_| EXAMPLES[2].name().into(), |bench, _| bench.ask_then(NextAction::Example(2));
     EXAMPLE_4: PLAIN, F5, |_| EXAMPLES[3].name().into(), |bench, _| bench.ask_then(NextAction::Example(3));
     EXAMPLE_5: PLAIN, F7, |_| EXAMPLES[4].name().into(), |bench, _| bench.ask_then(NextAction::Example(4));
-    ROBOTS: SHIFTED, N, |_| dots(say!("Robots")), |bench, _| bench.show_sheet(Some(Sheet::ROBOTS));
+    ROBOTS: SHIFTED, N, |_| dots(say!("Robots")), |bench, _| bench.show_sheet(Some(Sheet::Robots));
     NEW: COMMAND, N, |_| say!("Simulate session…").into(),
         |bench, _| bench.show_sheet(Some(Sheet::Simulate(Form::default())));
     SAVE_AS: SHIFTED, S, |_| say!("Save session as…").into(),
@@ -174,7 +185,7 @@ actions! {
     REPORT: SHIFTED, R, |_| dots(say!("Report")),
         |bench, _| bench.choose_where_to_export(What::Report(About::Session)), [when(measured)];
     REPORT_DETAILS: ALT, R,
-        |_| dots(say!("Report details")), |bench, _| bench.show_sheet(Some(Sheet::DETAILS)), [when(measured)];
+        |_| dots(say!("Report details")), |bench, _| bench.show_sheet(Some(Sheet::Details)), [when(measured)];
     RELOAD: COMMAND, R, |_| say!("Read the file again").into(),
         |bench, _| bench.reload(), [when(|now| now.file().is_some())];
     QUIT: COMMAND, Q, |_| say!("Quit").into(), |bench, _| bench.ask_then(NextAction::Leave);
@@ -191,7 +202,7 @@ actions! {
         },
         [when(|now| !now.view.chosen().is_empty())];
     PREFERENCES: COMMAND, Comma, |_| dots(say!("Preferences")),
-        |bench, _| bench.show_sheet(Some(Sheet::Named("preferences")));
+        |bench, _| bench.show_sheet(Some(Sheet::Preferences));
     NEXT_ANGLE: SHIFTED, U, |now| say!("Angles in {unit}", unit = Units { angle: now.view.preferences.next_angle(), ..now.units() }.angle_name().trim()),
         |bench, _| bench.prefer(Preferences { angle: bench.view.preferences.next_angle(), ..bench.view.preferences });
     NEXT_LENGTH: COMMAND, U, |now| say!("Lengths in {unit}", unit = Units { length: now.view.preferences.next_length(), ..now.units() }.length_name()),
@@ -230,8 +241,8 @@ actions! {
         [on(|now| now.steps().get(4) == Some(&now.view.step))],
         [when(|now| now.steps().len() > 4)];
     ABOUT: Modifiers::SHIFT, F1, |_| say!("About truepose").into(),
-        |bench, _| bench.show_sheet(Some(Sheet::Named("about")));
-    WORDS: PLAIN, F1, |_| say!("Glossary").into(), |bench, _| bench.show_sheet(Some(Sheet::Named("words")));
+        |bench, _| bench.show_sheet(Some(Sheet::About));
+    WORDS: PLAIN, F1, |_| say!("Glossary").into(), |bench, _| bench.show_sheet(Some(Sheet::Words));
 }
 
 /// The examples, in their order.

@@ -141,11 +141,9 @@ mod tests {
         assert_eq!(page.matches("\n| ").count(), ALL.len() + 2);
     }
 
-    /// Names that stand before a number in a source file: `fact(say!(…), …)` and
-    /// `fact_of(…)`.
+    /// Names that stand before a number in a source file: `fact(say!(…), …)`.
     fn names_in(source: &str) -> Vec<&str> {
         let calls = source.split("fact(").skip(1);
-        let calls = calls.chain(source.split("fact_of(").skip(1));
         calls
             .filter_map(|rest| {
                 let rest = rest.trim_start();

@@ -166,10 +166,7 @@ fn regions_are_split_merged_and_renamed() {
 fn two_regions_cannot_have_one_name() {
     let mut window = regions();
     type_into(&mut window, "Name of region 1", "2");
-    assert!(says(
-        &window,
-        "another region is called 2; choose another name"
-    ));
+    assert!(says(&window, "2 is taken; choose another name"));
     assert_eq!(ends(&window, "1"), pair("−150", "−100"));
 }
 

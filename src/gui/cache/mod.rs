@@ -96,12 +96,7 @@ impl AnswerSummary {
     }
 }
 
-/// Only itself.
-impl PartialEq for IdentifiedAnswer {
-    fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self, other)
-    }
-}
+only_itself!(IdentifiedAnswer);
 
 impl IdentifiedAnswer {
     /// Works the answer out. Takes its time with many samples.
@@ -185,12 +180,7 @@ pub(crate) struct ExportPreview {
     pub(crate) error: Option<Spread>,
 }
 
-/// Only itself.
-impl PartialEq for ExportPreview {
-    fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self, other)
-    }
-}
+only_itself!(ExportPreview);
 
 /// Makes an export in memory, to be looked at before it is saved, or says why there is none.
 pub(crate) fn preview(wanted: &PreviewRequest) -> Result<Arc<ExportPreview>, String> {

@@ -6,7 +6,6 @@ use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
     of_noise,
 };
-use crate::text::capital;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
 use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
@@ -15,6 +14,7 @@ use crate::present::drawing::Anchor;
 use crate::present::numbers::{grouped, significant};
 use crate::present::table::{Cell, Table};
 use crate::sessions::Sigma;
+use crate::text::capital;
 
 /// A noise curve is drawn where a bin is at most so many standard deviations wide.
 const SHARP: f64 = 3.0;

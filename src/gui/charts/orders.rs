@@ -367,7 +367,7 @@ mod tests {
         assert!(says.contains("nearer than 2"), "{says}");
         let says = limits(&of(0.247, &[])).expect("it is less than a turn");
         assert!(
-            says.contains("nearer than 5") && says.contains("order 1 cannot"),
+            says.contains("nearer than 5") && says.contains("orders up to 1 cannot"),
             "{says}"
         );
         assert_eq!(limits(&of(1.0, &[])), None);

@@ -21,7 +21,7 @@ const WIDE: f32 = 860.0;
 /// The share of the window's height that the targets, and the lines, have at most.
 const HIGH: f32 = 0.3;
 /// Height of everything else in the sheet, points: in a low window its buttons are in sight all the same.
-const OTHER: f32 = 370.0;
+const OTHER: f32 = 396.0;
 /// Least height of the targets, and of the lines, points.
 const LEAST: f32 = 90.0;
 const ROW: f32 = 20.0;
@@ -49,7 +49,7 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench) {
             }
         }
         Ok(corrected) => {
-            ui.fact_of(phrase!("read as"), corrected.language);
+            ui.fact(say!("read as"), corrected.language);
             let detail = Detail::window(workbench.units());
             let orientation = workbench.loaded_session().session.robot.mobility() == 6;
             let says = explain::program(&corrected.answer, orientation, MOST_LEFT, detail);

@@ -29,7 +29,7 @@ pub(super) fn simulation(ui: &mut Ui, form: &mut Form, workbench: &Workbench) {
     if form.is_of_the_lamp() {
         ui.secondary(say!("Another robot…"))
             .does(workbench, move |bench| {
-                bench.show_sheet(Some(Sheet::ROBOTS));
+                bench.show_sheet(Some(Sheet::Robots));
             });
     }
     let wrong = form.problems();

@@ -393,7 +393,7 @@ fn ends(ui: &mut Ui, form: &SetupForm, sound: bool, workbench: &Workbench) {
         return;
     };
     workbench.then(move |bench| {
-        bench.show_sheet((pressed == 0 && !of_session).then_some(Sheet::ROBOTS));
+        bench.show_sheet((pressed == 0 && !of_session).then_some(Sheet::Robots));
         match pressed {
             0 => {}
             1 => bench.keep_robot(form.robot, true),

@@ -119,13 +119,13 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench) {
     widgets::card(ui, |ui| {
         ui.bold(&left.kept.session.name);
         if let Some(ago) = left.when.and_then(ago) {
-            ui.fact_of(phrase!("last saved"), ago);
+            ui.fact(say!("last saved"), ago);
         }
         let samples = left.kept.session.samples.len().to_string();
-        ui.fact_of(phrase!("samples"), samples);
+        ui.fact(say!("samples"), samples);
         let file = left.kept.about.file.as_ref().and_then(|f| f.file_name());
         let file = file.map_or(say!("no file").into(), |f| f.to_string_lossy());
-        ui.fact_of(phrase!("file"), file);
+        ui.fact(say!("file"), file);
     });
     // What is discarded cannot be brought back: it takes a second press.
     let id = Id::unique(("discard of the recovery", left.when));

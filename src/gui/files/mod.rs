@@ -98,8 +98,6 @@ fn looked_through(
     origin: Origin,
     part: ProgressSpan<'_>,
 ) -> Result<Arc<LoadedSession>, Cancelled> {
-    let in_a_file = !loaded.session.samples.line.is_empty();
-    let samples_file = loaded.files.last().filter(|_| in_a_file).cloned();
     let findings = loaded.findings;
     let mut loaded_session =
         LoadedSession::watched(loaded.session, findings, origin, part.part(0.0, 0.6))?;
@@ -108,7 +106,6 @@ fn looked_through(
         .iter()
         .filter_map(|f| Fingerprint::of(f))
         .collect();
-    loaded_session.samples_file = samples_file.filter(|_| !loaded_session.files.is_empty());
     // Made here, so that the window never waits for it.
     Cloud::of(&loaded_session);
     part.reached(1.0)?;

@@ -262,20 +262,21 @@ pub(crate) enum Sheet {
     Overwrite(PathBuf),
     /// A file that an instrument wrote.
     Import(Box<ImportDraft>),
-    /// One that keeps nothing of its own: its file in `dialogs`.
-    Named(&'static str),
+    About,
+    /// Targets that were corrected.
+    Compensation,
+    /// What the report states besides its measurements.
+    Details,
+    Preferences,
+    /// What windows that are gone have left behind.
+    Recovery,
+    /// The library of robots.
+    Robots,
+    /// The glossary.
+    Words,
 }
 
 impl Sheet {
-    /// Targets that were corrected.
-    pub(crate) const COMPENSATION: Self = Self::Named("compensation");
-    /// What the report states besides its measurements.
-    pub(crate) const DETAILS: Self = Self::Named("details");
-    /// The library of robots.
-    pub(crate) const ROBOTS: Self = Self::Named("robots");
-    /// What windows that are gone have left behind.
-    pub(crate) const RECOVERY: Self = Self::Named("recovery");
-
     /// A robot that is typed, as it is opened.
     pub(crate) fn set_up(form: SetupForm) -> Self {
         let form = Box::new(form);
@@ -290,7 +291,7 @@ impl Sheet {
         match self {
             Self::Simulate(form) if form.is_of_the_lamp() => None,
             Self::Setup { form, .. } if form.measured.is_some() => None,
-            Self::Simulate(_) | Self::Setup { .. } => Some(Self::ROBOTS),
+            Self::Simulate(_) | Self::Setup { .. } => Some(Self::Robots),
             Self::Discard(typed) => Some((**typed).clone()),
             _ => None,
         }
@@ -314,17 +315,17 @@ impl Sheet {
     pub(crate) fn is_a_form(&self) -> bool {
         matches!(
             self,
-            Self::Simulate(_) | Self::Setup { .. } | Self::Import(_) | &Self::DETAILS
+            Self::Simulate(_) | Self::Setup { .. } | Self::Import(_) | Self::Details
         )
     }
 
     /// Whether it holds what was typed or chosen in it. A click beside it, which may be meant for something else, does
     /// not close it; Escape and *Cancel* do.
     pub(crate) fn holds_entries(&self) -> bool {
-        match self {
-            Self::Named(name) => ["compensation", "details", "recovery"].contains(name),
-            _ => true,
-        }
+        !matches!(
+            self,
+            Self::About | Self::Preferences | Self::Robots | Self::Words
+        )
     }
 }
 

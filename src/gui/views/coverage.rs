@@ -46,17 +46,17 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
         let rms = RichText::new(rms).font(strong(size::DISPLAY));
         ui.label(rms.color(Palette::of(ui).before));
         if let Some(gap) = loaded_session.gap_before {
-            ui.fact_of(phrase!("largest deviation"), units.length(gap.max_mm));
+            ui.fact(say!("largest deviation"), units.length(gap.max_mm));
         }
         if let Some(tolerance_mm) = workbench.document().tolerance_mm {
             let (inside, all) = loaded_session.overview.lengths.within(tolerance_mm);
             let (inside, all) = (grouped(inside), grouped(all));
             let within = say!("{inside} of {all}", inside, all);
-            ui.fact_of(phrase!("within tolerance"), within);
+            ui.fact(say!("within tolerance"), within);
         }
         if let Some(floor_mm) = loaded_session.coverage.floor_mm {
             let floor = say!("{floor}, instrument", floor = units.length(floor_mm));
-            ui.fact_of(phrase!("noise floor"), floor);
+            ui.fact(say!("noise floor"), floor);
         }
         if !workbench.document().identified {
             ui.hint(say!(
@@ -73,7 +73,7 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
         let known = &loaded_session.coverage;
         let (yes, no) = (known.testable.len(), known.not_testable.len());
         let says = say!("{inside} of {all}", inside = yes, all = yes + no);
-        ui.fact_of(phrase!("testable effects"), says);
+        ui.fact(say!("testable effects"), says);
         let can = say!("{yes} can be tested", yes);
         ui.folded(&can, |ui| {
             let names = known.testable.iter();

@@ -130,7 +130,7 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
         Some(Ok(made)) => {
             if let Some(table) = &made.export.reads_as {
                 let entries = table.forward.places().len();
-                ui.fact_of(phrase!("entries"), entries.to_string());
+                ui.fact(say!("entries"), entries.to_string());
             }
             ui.section(say!("Also"));
             let what = if made.export.reads_as.is_some() {

@@ -143,21 +143,21 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             format!("{before} → {after} {unit}")
         };
         let largest = |g: &Gap| [g.before.max_mm, g.after.max_mm];
-        ui.fact_of(phrase!("largest"), from_to(&found.gap, largest));
+        ui.fact(say!("largest"), from_to(&found.gap, largest));
         if let Some(held_out) = &found.held_out {
             let rms = |g: &Gap| [g.before.rms_mm, g.after.rms_mm];
-            ui.fact_of(phrase!("held out"), from_to(held_out, rms));
+            ui.fact(say!("held out"), from_to(held_out, rms));
         }
         if let (Some((before, _)), Some((after, all))) =
             (within(workbench, false), within(workbench, true))
         {
             // What the marks show, and what the robot will do, where that is known: it may be less.
-            let with_model = (phrase!("within tolerance, with the model"), after);
+            let with_model = (say!("within tolerance, with the model"), after);
             let corrected = workbench.corrected_within();
-            let corrected = corrected.map(|n| (phrase!("within tolerance, commands corrected"), n));
+            let corrected = corrected.map(|n| (say!("within tolerance, commands corrected"), n));
             for (label, after) in std::iter::once(with_model).chain(corrected) {
                 let (before, after, all) = (grouped(before), grouped(after), grouped(all));
-                ui.fact_of(
+                ui.fact(
                     label,
                     say!("{before} → {after} of {all}", before, after, all),
                 );
@@ -254,7 +254,7 @@ pub(super) fn controls(ui: &mut Ui, workbench: &Workbench) {
                 "The source paper's method: a constant correction of angle and radius for each region. It leaves out the rotation between lamp and base, so that one constant error looks different in every region; use it to compare with earlier reports"
             ));
             let n = document.regions.len();
-            ui.fact_of(phrase!("regions"), n.to_string());
+            ui.fact(say!("regions"), n.to_string());
             ui.link(say!("Change the regions"))
                 .does(workbench, move |bench| bench.view.step = Step::Regions);
         }
@@ -313,9 +313,9 @@ pub(super) fn about(
     let calibration = &answer.calibration;
     widgets::card(ui, |ui| {
         ui.bold(say!("Model from a file"));
-        ui.fact_of(phrase!("file"), &loaded.file);
-        ui.fact_of(phrase!("robot"), &calibration.model.robot.name);
-        ui.fact_of(phrase!("identified from"), &calibration.session);
+        ui.fact(say!("file"), &loaded.file);
+        ui.fact(say!("robot"), &calibration.model.robot.name);
+        ui.fact(say!("identified from"), &calibration.session);
         let joints = &calibration.model.robot.joints;
         for (joint, range) in joints.iter().zip(&calibration.measured) {
             let [from, to] = [range.from, range.to].map(|q| {

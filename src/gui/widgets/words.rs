@@ -7,7 +7,7 @@ use egui::{
 
 use crate::gui::help::{self, Word};
 use crate::gui::style::{Palette, size, space, strong};
-use crate::text::{Template, spoken, within};
+use crate::text::{spoken, within};
 
 /// What the window writes beside egui's own labels.
 pub(crate) trait Words {
@@ -25,8 +25,6 @@ pub(crate) trait Words {
     fn wrong(&mut self, text: &str);
     /// A name and what it is: on one line, or below each other where that is too narrow.
     fn fact(&mut self, name: &str, value: impl Into<String>);
-    /// The same of a name that is spoken here.
-    fn fact_of(&mut self, name: Template, value: impl Into<String>);
     /// What folds away below a small title.
     fn folded(&mut self, text: &str, contents: impl FnOnce(&mut Ui));
     /// A question mark that says what a word means.
@@ -89,10 +87,6 @@ impl Words for Ui {
                 ui.add(Label::new(value).wrap());
             }
         });
-    }
-
-    fn fact_of(&mut self, name: Template, value: impl Into<String>) {
-        self.fact(spoken(name), value);
     }
 
     fn folded(&mut self, text: &str, contents: impl FnOnce(&mut Ui)) {

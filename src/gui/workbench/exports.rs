@@ -312,8 +312,7 @@ impl Workbench {
     /// Asks for a file of targets.
     pub(crate) fn choose_targets(&mut self) {
         let by = self.shown_outcome();
-        let says = say!("waiting for a file to be chosen");
-        self.choose_near(says, files::choose_targets, move |bench, path| match path {
+        self.choose_near(files::choose_targets, move |bench, path| match path {
             Some(path) => bench.compensate_by(by, bench.request_for(path)),
             None => bench.view.message = Some(no_file_was_chosen()),
         });
@@ -337,8 +336,7 @@ impl Workbench {
     pub(crate) fn choose_declarations(&mut self, mut wanted: CompensationRequest) {
         let program = wanted.path.clone();
         let ask = move || files::choose_declarations(&program);
-        let says = say!("waiting for a file to be chosen");
-        self.choose(says, ask, move |bench, path| {
+        self.choose(ask, move |bench, path| {
             if let Some(path) = path.filter(|path| !wanted.with.contains(path)) {
                 wanted.with.push(path);
                 bench.compensate(wanted);
@@ -348,8 +346,7 @@ impl Workbench {
 
     /// Asks for a file that the export starts from.
     pub(crate) fn choose_reference(&mut self) {
-        let says = say!("waiting for a file to be chosen");
-        self.choose_near(says, files::choose_reference, |bench, path| {
+        self.choose_near(files::choose_reference, |bench, path| {
             let reference = path.or_else(|| bench.document().export.reference.clone());
             let choice = ExportChoice {
                 reference,
@@ -397,7 +394,7 @@ impl Workbench {
                     return bench.is_of_another(say!("The targets were not corrected"));
                 }
                 bench.derived.compensated = Some(Arc::new(compensated));
-                bench.view.sheet = Some(Sheet::COMPENSATION);
+                bench.view.sheet = Some(Sheet::Compensation);
             },
         );
     }
