@@ -4,15 +4,15 @@
 use crate::gui::files;
 use crate::gui::view::NextAction;
 
-use crate::text::{Template, capital, filled, spoken};
+use crate::text::{Template, capital, filled, spoken, within};
 use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Role, Ui, WidgetInfo};
 
 use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::simulate::Form;
 use crate::gui::style::Layout;
-use crate::gui::view::{About, Plane, Sheet, What};
+use crate::gui::view::{About, Plane, Sheet, Step, What};
 use crate::gui::view::{Preferences, Theme};
-use crate::gui::widgets::{Buttons, dots};
+use crate::gui::widgets::{Buttons, Does, dots};
 use crate::gui::workbench::Workbench;
 use crate::present::units::Units;
 
@@ -283,6 +283,13 @@ fn exclude_says(now: &Workbench) -> String {
         }
         ref all => say!("Exclude {count} samples", count = all.len()),
     }
+}
+
+/// The main button where the next step is the next thing.
+pub(crate) fn go_on(ui: &mut Ui, workbench: &Workbench, step: Step) {
+    let says = say!("Continue to {step}", step = within(step.name()));
+    let on = ui.primary(&says);
+    on.does(workbench, move |bench| bench.view.step = step);
 }
 
 /// Something in a menu: it goes by its name alone, without its keys.

@@ -76,10 +76,10 @@ pub(super) fn show(ui: &mut Ui, form: &mut SetupForm, workbench: &Workbench) {
                 ui.collapsing(say!("Masses of links"), |ui| masses(ui, &mut typed.rows));
                 if let Some(measured) = measured {
                     let session = &workbench.loaded_session().session;
-                    ui.collapsing(&capital(say!("reflectors")), |ui| {
-                        targets(ui, measured, session)
+                    ui.collapsing(capital(say!("reflectors")), |ui| {
+                        targets(ui, measured, session);
                     });
-                    ui.collapsing(&capital(say!("instrument")), |ui| instrument(ui, measured));
+                    ui.collapsing(capital(say!("instrument")), |ui| instrument(ui, measured));
                 }
                 widgets::focus_in_sight(ui);
             });
@@ -264,7 +264,7 @@ fn frames(ui: &mut Ui, typed: &mut RobotTable) {
             let (at, turned) = values.split_at_mut(3);
             widgets::numbers(ui, (row, "mm"), &signs[..3], at, (NUMBER, 1.0));
             widgets::numbers(ui, (row, "°"), &signs[3..], turned, (NUMBER, 1.0));
-            if row == &capital(say!("tool")) {
+            if row == capital(say!("tool")) {
                 ui.question(help::TOOL);
             }
         });

@@ -314,7 +314,7 @@ fn text(ui: &mut Ui, text: &str) {
 
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
-        return super::steps::go_on(ui, workbench, Step::Identify);
+        return actions::go_on(ui, workbench, Step::Identify);
     }
     let format = find(workbench.document().export.format);
     let title = format.map_or(say!("table"), |f| f.extension);

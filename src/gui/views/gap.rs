@@ -128,7 +128,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
         let add = ui.primary(&blocks::add_all(missing.len()));
         add.does(workbench, move |bench| bench.edit(|d| d.add(&missing)));
     } else {
-        super::steps::go_on(ui, workbench, Step::Export);
+        actions::go_on(ui, workbench, Step::Export);
     }
 }
 

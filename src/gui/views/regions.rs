@@ -2,13 +2,13 @@
 
 use egui::{Align, Button, DragValue, Layout, RichText, Ui, vec2};
 
+use crate::gui::actions;
 use crate::gui::core::document::{Document, Method};
 use crate::gui::core::regions::Division;
 use crate::gui::core::regions::{self, Count, End, SNAP_DEG};
 use crate::gui::help;
 use crate::gui::style::{Palette, space};
 use crate::gui::view::Step;
-use crate::gui::views::steps::go_on;
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::{grouped, trimmed};
@@ -190,7 +190,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
             return;
         }
     }
-    go_on(ui, workbench, Step::Identify);
+    actions::go_on(ui, workbench, Step::Identify);
 }
 
 /// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.

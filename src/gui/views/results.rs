@@ -300,7 +300,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if document.loaded_model.is_none() {
         ui.hint_if_roomy(say!("Identified; the result follows every change"));
     }
-    super::steps::go_on(ui, workbench, Step::Gap);
+    actions::go_on(ui, workbench, Step::Gap);
 }
 
 /// What there is to say about the model itself.

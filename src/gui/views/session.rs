@@ -225,5 +225,5 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     } else {
         Step::Identify
     };
-    super::steps::go_on(ui, workbench, step);
+    actions::go_on(ui, workbench, step);
 }

@@ -6,9 +6,8 @@ use egui::{Button, Panel, Response, Role, Stroke, Ui, UiBuilder, Vec2, WidgetInf
 use crate::gui::core::document::Method;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::Step;
-use crate::gui::widgets::{self, Buttons, Does};
+use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
-use crate::text::within;
 
 use super::{export, gap, regions, results, session};
 
@@ -36,13 +35,6 @@ fn is_done(step: Step, workbench: &Workbench) -> bool {
         Step::Gap => workbench.diagnosis().is_some() || document.in_the_model().next().is_some(),
         Step::Export => workbench.exported().next().is_some(),
     }
-}
-
-/// The main button where the next step is the next thing.
-pub(super) fn go_on(ui: &mut Ui, workbench: &Workbench, step: Step) {
-    let says = say!("Continue to {step}", step = within(step.name()));
-    let on = ui.primary(&says);
-    on.does(workbench, move |bench| bench.view.step = step);
 }
 
 /// The button at the foot stands no lower than this below the top of its panel, points.

@@ -55,7 +55,7 @@ pub fn stages(
             }
         }
         more.push(Stage {
-            name: capital(say!("with corrected commands")).to_owned(),
+            name: capital(say!("with corrected commands")),
             role: ColourRole::Corrected,
             deviations: corrected,
         });
