@@ -6,15 +6,14 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 
 use crate::explain::{self, Detail};
-use crate::kinematics::{Pose, Robot};
+use crate::kinematics::Pose;
 use crate::pipeline;
 use crate::present::compensation_v1::{self, Document};
 use crate::programs::{
-    Answer, Beside, CompensateError, ExternalAxes, LANGUAGES, Language, ModelTool, Orientation,
-    Outcome, Precedence, ProgramFrames, Reason, Request, beside, find, language_of,
+    Answer, Beside, CompensateError, ExternalAxes, LANGUAGES, Language, ModelTool, Outcome,
+    Precedence, ProgramFrames, Reason, Request, beside, find, language_of,
 };
 use crate::sessions::read_whole;
-use crate::text::Text;
 
 use super::failure::Failure;
 use super::words::any_of;
@@ -168,7 +167,7 @@ impl Compensate {
             start: self
                 .start
                 .as_deref()
-                .map(|start| to_base_units(robot, start)),
+                .map(|start| robot.in_base_units(start)),
             frame,
             tool,
             frames,
@@ -212,20 +211,23 @@ impl Compensate {
         } else {
             ProgramFrames::default()
         };
-        let turns = language.orientation;
+        let pose = |option: &str, numbers: &[f64]| {
+            let pose = language.orientation.stated(option, numbers);
+            pose.map_err(Failure::WrongInput)
+        };
         let mut tool = None;
         if let Some(numbers) = self.model_tool.as_deref() {
-            tool = Some(ModelTool::OnFlange(pose("--model-tool", numbers, turns)?));
+            tool = Some(ModelTool::OnFlange(pose("--model-tool", numbers)?));
         }
         if let Some(text) = self.tool.as_deref() {
             let numbers: Result<Vec<f64>, _> = text.split(',').map(|n| n.trim().parse()).collect();
             match numbers {
-                Ok(numbers) => frames.tool = Precedence::Given(pose("--tool", &numbers, turns)?),
+                Ok(numbers) => frames.tool = Precedence::Given(pose("--tool", &numbers)?),
                 Err(_) => tool = Some(ModelTool::Named(text.to_owned())),
             }
         }
         if let Some(numbers) = self.frame.as_deref() {
-            frames.frame = Precedence::Given(pose("--frame", numbers, turns)?);
+            frames.frame = Precedence::Given(pose("--frame", numbers)?);
         }
         frames.external = match self.external.as_deref() {
             Some("carries-robot") => ExternalAxes::CarryRobot,
@@ -282,45 +284,6 @@ impl Compensate {
             },
         )?)
     }
-}
-
-/// A position in mm and, perhaps, an orientation in a language's numbers or as a quaternion.
-fn pose(option: &str, numbers: &[f64], turns: Orientation) -> Result<Pose, Failure> {
-    let wrong = |found: Text| {
-        let expected = text!("X,Y,Z or X,Y,Z and three angles or a quaternion, all numbers finite");
-        Failure::WrongInput(text!(
-            "{option}: {found}; expected {expected}",
-            option,
-            found,
-            expected
-        ))
-    };
-    if !numbers.iter().all(|number| number.is_finite()) {
-        return Err(wrong(text!("a number that is not finite")));
-    }
-    let (at, turn) = match numbers {
-        [x, y, z] => ([*x, *y, *z], &[0.0; 3][..]),
-        [x, y, z, turn @ ..] if matches!(turn.len(), 3 | 4) => ([*x, *y, *z], turn),
-        _ => {
-            return Err(wrong(
-                text!(one "{count} number", "{count} numbers", count = numbers.len()),
-            ));
-        }
-    };
-    let turn = turns.read(turn);
-    let turn = turn.ok_or_else(|| wrong(text!("zero length")))?;
-    Ok(Pose::from_parts(at.into(), turn))
-}
-
-/// Values in degrees or mm in rad or mm; too many or too few are told apart later.
-fn to_base_units(robot: &Robot, start: &[f64]) -> Vec<f64> {
-    let kinds = robot.joints.iter().map(|joint| Some(joint.kind));
-    let kinds = kinds.chain(std::iter::repeat(None));
-    start
-        .iter()
-        .zip(kinds)
-        .map(|(value, kind)| kind.map_or(*value, |kind| kind.to_base_units(*value)))
-        .collect()
 }
 
 /// Names every target that was left as it is; the status says so as well.

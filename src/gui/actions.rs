@@ -4,16 +4,17 @@
 use crate::gui::files;
 use crate::gui::view::NextAction;
 
-use crate::text::{Template, filled, spoken};
+use crate::text::{Template, capital, filled, spoken, within};
 use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Role, Ui, WidgetInfo};
 
 use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::simulate::Form;
 use crate::gui::style::Layout;
-use crate::gui::view::{About, Plane, Sheet, What};
+use crate::gui::view::{About, Plane, Sheet, Step, What};
 use crate::gui::view::{Preferences, Theme};
-use crate::gui::widgets::Buttons;
+use crate::gui::widgets::{Buttons, Does, dots};
 use crate::gui::workbench::Workbench;
+use crate::present::units::Units;
 
 fn looks_at(now: &Workbench, plane: Plane) -> bool {
     now.view.plane == plane && !now.view.in_space()
@@ -96,6 +97,17 @@ impl Action {
         }
     }
 
+    /// Itself as a sign.
+    pub(crate) fn sign(&self, ui: &mut Ui, workbench: &Workbench, sign: &str) {
+        let says = self.label(workbench);
+        let enabled = (self.enabled)(workbench);
+        let button = ui.add_enabled_ui(enabled, |ui| ui.icon_button(sign, &says));
+        let button = button.inner.on_hover_text(&says);
+        if button.on_disabled_hover_text(&says).clicked() {
+            self.ask_for(ui.ctx(), workbench);
+        }
+    }
+
     /// Itself as what comes next.
     pub(crate) fn next(&self, ui: &mut Ui, workbench: &Workbench) {
         let button = |ui: &mut Ui| ui.primary(&self.label(workbench)).clicked();
@@ -148,15 +160,15 @@ actions! {
     UNDO: COMMAND, Z, |now| with([phrase!("Undo"), phrase!("Undo {edit}"; edit)], now.undoes()), |bench, _| bench.undo(),
         [when(|now| now.undoes().is_some())];
     OPEN_LATEST: SHIFTED, O, |_| String::new(), open_latest;
-    OPEN: COMMAND, O, |_| say!("Open…").into(), |bench, _| bench.choose_file(files::choose_to_open);
-    IMPORT: SHIFTED, I, |_| say!("Import…").into(),
+    OPEN: COMMAND, O, |_| dots(say!("Open")), |bench, _| bench.choose_file(files::choose_to_open);
+    IMPORT: SHIFTED, I, |_| dots(say!("Import")),
         |bench, _| bench.choose_file(files::choose_to_import);
     EXAMPLE_1: PLAIN, F2, |_| EXAMPLES[0].name().into(), |bench, _| bench.ask_then(NextAction::Example(0));
     EXAMPLE_2: PLAIN, F3, |_| EXAMPLES[1].name().into(), |bench, _| bench.ask_then(NextAction::Example(1));
     EXAMPLE_3: PLAIN, F4, |_| EXAMPLES[2].name().into(), |bench, _| bench.ask_then(NextAction::Example(2));
     EXAMPLE_4: PLAIN, F5, |_| EXAMPLES[3].name().into(), |bench, _| bench.ask_then(NextAction::Example(3));
     EXAMPLE_5: PLAIN, F7, |_| EXAMPLES[4].name().into(), |bench, _| bench.ask_then(NextAction::Example(4));
-    ROBOTS: SHIFTED, N, |_| say!("Robots…").into(), |bench, _| bench.show_sheet(Some(Sheet::ROBOTS));
+    ROBOTS: SHIFTED, N, |_| dots(say!("Robots")), |bench, _| bench.show_sheet(Some(Sheet::Robots));
     NEW: COMMAND, N, |_| say!("Simulate session…").into(),
         |bench, _| bench.show_sheet(Some(Sheet::Simulate(Form::default())));
     SAVE_AS: SHIFTED, S, |_| say!("Save session as…").into(),
@@ -164,16 +176,16 @@ actions! {
     SAVE: COMMAND, S, |_| say!("Save session").into(), |bench, _| bench.save(), [when(measured)];
     SAVE_TO_PATH: SHIFTED, P, |_| say!("Save session to path…").into(),
         |bench, _| bench.type_path(What::Session), [when(measured)];
-    SAVE_MODEL: COMMAND, M, |_| say!("Save model…").into(),
+    SAVE_MODEL: COMMAND, M, |_| dots(say!("Save model")),
         |bench, _| bench.choose_where_to_export(What::Model), [when(answered)];
     COMPENSATE: SHIFTED, T, |_| say!("Compensate targets…").into(),
         |bench, _| bench.choose_targets(), [when(answered)];
-    SAVE_TABLE: COMMAND, T, |_| say!("Save table…").into(),
+    SAVE_TABLE: COMMAND, T, |_| dots(say!("Save table")),
         |bench, _| bench.choose_where_to_export(What::Table), [when(answered)];
-    REPORT: SHIFTED, R, |_| say!("Report…").into(),
+    REPORT: SHIFTED, R, |_| dots(say!("Report")),
         |bench, _| bench.choose_where_to_export(What::Report(About::Session)), [when(measured)];
     REPORT_DETAILS: ALT, R,
-        |_| say!("Report details…").into(), |bench, _| bench.show_sheet(Some(Sheet::DETAILS)), [when(measured)];
+        |_| dots(say!("Report details")), |bench, _| bench.show_sheet(Some(Sheet::Details)), [when(measured)];
     RELOAD: COMMAND, R, |_| say!("Read the file again").into(),
         |bench, _| bench.reload(), [when(|now| now.file().is_some())];
     QUIT: COMMAND, Q, |_| say!("Quit").into(), |bench, _| bench.ask_then(NextAction::Leave);
@@ -189,12 +201,12 @@ actions! {
             bench.edit(|document| document.exclude(&chosen, out));
         },
         [when(|now| !now.view.chosen().is_empty())];
-    PREFERENCES: COMMAND, Comma, |_| say!("Preferences…").into(),
-        |bench, _| bench.show_sheet(Some(Sheet::Named("preferences")));
-    NEXT_ANGLE: SHIFTED, U, |now| now.view.preferences.next_angle().1.into(),
-        |bench, _| bench.prefer(Preferences { angle: bench.view.preferences.next_angle().0, ..bench.view.preferences });
-    NEXT_LENGTH: COMMAND, U, |now| now.view.preferences.next_length().1.into(),
-        |bench, _| bench.prefer(Preferences { length: bench.view.preferences.next_length().0, ..bench.view.preferences });
+    PREFERENCES: COMMAND, Comma, |_| dots(say!("Preferences")),
+        |bench, _| bench.show_sheet(Some(Sheet::Preferences));
+    NEXT_ANGLE: SHIFTED, U, |now| say!("Angles in {unit}", unit = Units { angle: now.view.preferences.next_angle(), ..now.units() }.angle_name().trim()),
+        |bench, _| bench.prefer(Preferences { angle: bench.view.preferences.next_angle(), ..bench.view.preferences });
+    NEXT_LENGTH: COMMAND, U, |now| say!("Lengths in {unit}", unit = Units { length: now.view.preferences.next_length(), ..now.units() }.length_name()),
+        |bench, _| bench.prefer(Preferences { length: bench.view.preferences.next_length(), ..bench.view.preferences });
     OTHER_THEME: COMMAND, D, |_| say!("Light or dark").into(),
         |bench, ctx| bench.prefer(Preferences { theme: if dark(ctx) { Theme::Light } else { Theme::Dark }, ..bench.view.preferences });
     RESULTS: COMMAND, B, |_| say!("Show or hide results").into(),
@@ -229,8 +241,8 @@ actions! {
         [on(|now| now.steps().get(4) == Some(&now.view.step))],
         [when(|now| now.steps().len() > 4)];
     ABOUT: Modifiers::SHIFT, F1, |_| say!("About truepose").into(),
-        |bench, _| bench.show_sheet(Some(Sheet::Named("about")));
-    WORDS: PLAIN, F1, |_| say!("Glossary").into(), |bench, _| bench.show_sheet(Some(Sheet::Named("words")));
+        |bench, _| bench.show_sheet(Some(Sheet::About));
+    WORDS: PLAIN, F1, |_| say!("Glossary").into(), |bench, _| bench.show_sheet(Some(Sheet::Words));
 }
 
 /// The examples, in their order.
@@ -261,7 +273,7 @@ fn are_excluded(workbench: &Workbench) -> bool {
 
 fn exclude_says(now: &Workbench) -> String {
     match now.view.chosen()[..] {
-        [] => say!("Exclude samples").to_owned(),
+        [] => capital(say!("exclude samples")),
         [one] if are_excluded(now) => {
             say!("Include sample {sample} again", sample = one + 1)
         }
@@ -271,6 +283,13 @@ fn exclude_says(now: &Workbench) -> String {
         }
         ref all => say!("Exclude {count} samples", count = all.len()),
     }
+}
+
+/// The main button where the next step is the next thing.
+pub(crate) fn go_on(ui: &mut Ui, workbench: &Workbench, step: Step) {
+    let says = say!("Continue to {step}", step = within(step.name()));
+    let on = ui.primary(&says);
+    on.does(workbench, move |bench| bench.view.step = step);
 }
 
 /// Something in a menu: it goes by its name alone, without its keys.

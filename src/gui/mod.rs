@@ -22,6 +22,17 @@
 //! - `preferences`, `help`, `style`: numbers, words, colours and type.
 //! - `jobs`: work in the background, whatever it is about.
 
+/// What is compared by what it is, not by what it holds: the same made twice is not the same.
+macro_rules! only_itself {
+    ($what:ty) => {
+        impl PartialEq for $what {
+            fn eq(&self, other: &Self) -> bool {
+                std::ptr::eq(self, other)
+            }
+        }
+    };
+}
+
 mod actions;
 mod app;
 mod cache;

@@ -419,7 +419,9 @@ fn the_bar_of_the_charts_fits_from_a_small_window_to_a_large_one() {
             .build_eframe(|cc| App::new(&cc.egui_ctx, None, Runner::AtOnce));
         window.run_steps(6);
         let chart = window.get_by_label("deviation chart, tangential").rect();
-        let save = window.get_by_label("Save picture of the deviation…").rect();
+        let save = window
+            .get_by_label("Save picture: deviation over angle…")
+            .rect();
         assert!(
             save.right() <= chart.right() + 12.0,
             "{width}: {save:?} {chart:?}"

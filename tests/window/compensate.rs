@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::window::{
     Window, open, press, says, there, type_into, until, window_choosing, window_of,
 };
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use truepose::gui::Runner;
 
 fn data(name: &str) -> PathBuf {
@@ -62,6 +62,39 @@ fn a_program_is_corrected_shown_side_by_side_and_saved() {
     let beside = folder.path().join("cell-corrected.mod.meta.json");
     let beside = std::fs::read_to_string(beside).expect("it says what was changed");
     assert!(beside.contains("truepose-compensation/1"), "{beside}");
+}
+
+/// Where a robot comes from, and where the program's frame is, is typed as in the terminal: without that no pose is
+/// corrected that several joint values reach. What cannot be read is said.
+#[test]
+fn where_the_robot_comes_from_and_the_frame_of_its_program_are_typed() {
+    let mut window = at_export();
+    compensate(&mut window, &data("poses.csv"));
+    assert!(says(&window, "0 of 12 targets corrected"));
+    press(&mut window, "More");
+    let start = "41.282,87.387,29.623,-87.934,-47.960,-168.210";
+    type_into(
+        &mut window,
+        "Joint values before the first target: Q1,Q2,…",
+        start,
+    );
+    assert!(says(&window, "12 of 12 targets corrected"));
+    // The lines as they were and as they are corrected.
+    let lines = |window: &Window| -> Vec<String> {
+        let all = window.query_all_by(|node| node.value().is_some());
+        let all = all.filter_map(|node| node.accesskit_node().value());
+        all.filter(|line| line.matches(',').count() > 4).collect()
+    };
+    let before = lines(&window);
+    let frame = "Frame of the program: X,Y,Z[,A,B,C|,QW,QX,QY,QZ]";
+    type_into(&mut window, frame, "0,0,1");
+    let after = lines(&window);
+    assert!(!after.is_empty() && after != before);
+    type_into(&mut window, frame, "0,0");
+    assert!(says(
+        &window,
+        "Frame of the program: 2 numbers; expected X,Y,Z"
+    ));
 }
 
 /// As it is where the system has no dialog for files: the program's path is typed, or it is dropped.

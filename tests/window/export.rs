@@ -122,3 +122,31 @@ fn an_own_step_is_taken_or_refused_with_the_limit() {
     press(&mut window, "Custom step");
     window.get_by_label("correction table as a curve");
 }
+
+/// What an arm's controller takes is chosen as in the terminal: the levels of correction say what each would bring,
+/// and the file is made with or without the zero offsets, from the URDF that the robot was read from.
+#[test]
+fn what_of_an_arms_model_goes_into_its_file_is_chosen() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arm = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");
+    let mut window = window_of(TALL, Some(arm.into()), Runner::AtOnce);
+    press(&mut window, "2 Identify");
+    press(&mut window, "Identify");
+    window.get_by_label("Levels of correction");
+    press(&mut window, "4 Export");
+    press(&mut window, "URDF with corrected origins");
+    let saved = |window: &mut Window, name: &str| {
+        let path = folder.path().join(name);
+        export_to(window, &path);
+        std::fs::read_to_string(&path).expect("it is saved")
+    };
+    let origins = saved(&mut window, "origins.urdf");
+    press(&mut window, "controller");
+    assert_ne!(saved(&mut window, "controller.urdf"), origins);
+    press(&mut window, "Undo choose table");
+    assert_eq!(saved(&mut window, "again.urdf"), origins);
+    press(&mut window, "Denavit–Hartenberg rows");
+    let standard = saved(&mut window, "standard.csv");
+    press(&mut window, "modified");
+    assert_ne!(saved(&mut window, "modified.csv"), standard);
+}

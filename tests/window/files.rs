@@ -228,7 +228,7 @@ fn a_folder_that_cannot_be_written_leaves_the_old_file_and_says_what_to_do() {
         eprintln!("skipped: this user may write everywhere");
         return;
     }
-    assert!(says(&window, "could not be saved"));
+    assert!(says(&window, "was not written"));
     assert!(says(&window, "save to another folder"));
     assert_eq!(fs::read(&session).expect("the session"), before);
 }
@@ -241,7 +241,7 @@ fn a_folder_that_is_not_there_is_said_with_what_to_do() {
         &mut window,
         &folder.path().join("no such folder").join("a.json"),
     );
-    assert!(says(&window, "could not be saved"));
+    assert!(says(&window, "was not written"));
     assert!(says(&window, "create it first"));
 }
 

@@ -143,7 +143,7 @@ fn tables_can_be_copied(window: &mut Window) {
     let width: f64 = found[1][3].parse().expect("a number");
     assert!((width - 0.1).abs() < 0.02, "{width}");
     window.run_steps(2);
-    window.get_by_label("Copied table of found effects");
+    window.get_by_label("Copied: found effects");
 
     let folded = "Not found; detection limits";
     window.get_by_label_contains(folded).scroll_to_me();

@@ -65,7 +65,7 @@ fn an_arm_of_the_library_is_calibrated_with_keys_alone() {
         next(&mut window);
         assert!(!there(&window, "Add the effect to the model"), "{size:?}");
         next(&mut window);
-        assert!(there(&window, "Save robot as .csv…"), "{size:?}");
+        assert!(there(&window, "Save as .csv…"), "{size:?}");
         save(&mut window, "table", &at("robot.csv"));
 
         window.state_mut().compensate(&program);

@@ -315,7 +315,11 @@ fn open_the_others(
     see(window, "report details");
     escape(window);
     keys(window, SHIFTED, Key::N);
-    press(window, &said_in(language, "As a table…"));
+    let table = said_in(language, "Robot as a table");
+    press(
+        window,
+        &said_in(language, "{name}…").replace("{name}", &table),
+    );
     see(window, "a robot as a table");
     escape(window);
     keys(window, Modifiers::NONE, Key::Enter);

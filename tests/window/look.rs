@@ -243,7 +243,7 @@ fn the_details_of_a_report_stand_in_one_column_and_their_sheet_stays_where_it_is
         all.map(|node| node.rect().left()).fold(0.0, f32::max)
     };
     let [number, tolerance, rule] =
-        ["Report number", "tolerance", "not decided"].map(|label| left(&window, label));
+        ["Report number", "tolerance", "Not decided"].map(|label| left(&window, label));
     assert!((number - tolerance).abs() < 1.0, "{number} {tolerance}");
     assert!((number - rule).abs() < 4.0, "{number} {rule}");
     let top = |window: &Window| {

@@ -90,11 +90,14 @@ fn a_preparation_that_is_cancelled_is_begun_again_when_that_is_asked_for() {
     keys(&mut window, egui::Modifiers::COMMAND, egui::Key::I);
     until(&mut window, " → ");
     window.get_by_label("5 Export").click();
-    until(&mut window, "preparing the table");
+    until(&mut window, "The table is being prepared");
     window.get_by_label("Cancel").click();
-    until(&mut window, "The preparation of the table was cancelled");
+    until(&mut window, "It was cancelled");
     seconds(&mut window, 3);
-    assert!(!says(&window, "preparing the table"), "not by itself");
+    assert!(
+        !says(&window, "The table is being prepared"),
+        "not by itself"
+    );
     press(&mut window, "Prepare the table");
     until(&mut window, "RMS error left by the table");
     // The figures of one format do not stand under the name of another.

@@ -78,7 +78,7 @@ fn a_session_of_another_robot_does_not_keep_the_model() {
     let mut window = window(Some(model));
     open(&mut window, &bundled("lamp-commissioning.json"));
     assert!(!says(&window, "Model from a file"));
-    window.get_by_label("RMS error of the nominal robot");
+    window.get_by_label("RMS error, nominal robot");
 }
 
 #[test]

@@ -225,7 +225,7 @@ fn the_workspace_is_saved_as_it_is_seen_without_the_sheet_that_asked_where() {
         };
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("workspace.png");
-        window.get_by_label("Save picture of the workspace…");
+        window.get_by_label("Save picture: workspace…");
         window.state_mut().type_path("workspace", &path);
         window.run_steps(4);
         press(&mut window, "Save");

@@ -95,7 +95,7 @@ fn the_keys_do_what_the_menus_say() {
     window.key_press(Key::Escape);
     window.run_steps(4);
     assert!(!says(&window, "19 of 20"));
-    choose(&mut window, "View", "Angles in radians");
+    choose(&mut window, "View", "Angles in rad");
     press(&mut window, "View");
     assert!(there(&window, "Angles in mrad"));
 }

@@ -123,7 +123,7 @@ fn a_logo_that_is_none_is_refused_and_no_report_is_written() {
 /// Opens the sheets of the record in the marked language, and looks at each as it can stand.
 pub(crate) fn open_records(window: &mut Window, see: &mut dyn FnMut(&Window, &str)) {
     keys(window, Modifiers::COMMAND.plus(Modifiers::ALT), Key::R);
-    for rule in ["⟦not decided⟧", "⟦simple acceptance⟧", "ISO 14253-1"] {
+    for rule in ["⟦Not decided⟧", "⟦simple acceptance⟧", "ISO 14253-1"] {
         press(window, rule);
         window.run_steps(4);
         see(window, &format!("report details, {rule}"));

@@ -47,6 +47,30 @@ fn the_number_of_even_regions_is_taken_at_once_and_undone_in_one_step() {
     assert_eq!(ends(&window, "6"), pair("100", "150"));
 }
 
+/// A diagnosis replaces what is identified by region: the main button passes it by, unless regions were made by hand.
+#[test]
+fn only_regions_made_by_hand_are_led_to() {
+    let mut window = regions();
+    keys(&mut window, Modifiers::COMMAND, Key::Enter);
+    assert!(
+        !says(&window, "by region"),
+        "nothing is identified by region"
+    );
+    assert!(says(&window, "Effects to fit"), "the next step is");
+    press(&mut window, "2 Regions");
+    type_into(&mut window, "Name of region 1", "left");
+    keys(&mut window, Modifiers::COMMAND, Key::Enter);
+    assert!(says(&window, "Correction of each region"));
+    keys(&mut window, Modifiers::COMMAND, Key::Z);
+    // Once the full model is identified nothing leads back.
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    press(&mut window, "2 Regions");
+    window.get_by_label("Identify by region");
+    keys(&mut window, Modifiers::COMMAND, Key::Enter);
+    assert!(says(&window, "Effects to fit"));
+}
+
 #[test]
 fn the_adaptive_division_says_what_it_decided_and_can_be_edited() {
     let mut window = regions();
@@ -142,10 +166,7 @@ fn regions_are_split_merged_and_renamed() {
 fn two_regions_cannot_have_one_name() {
     let mut window = regions();
     type_into(&mut window, "Name of region 1", "2");
-    assert!(says(
-        &window,
-        "another region is called 2; choose another name"
-    ));
+    assert!(says(&window, "2 is taken; choose another name"));
     assert_eq!(ends(&window, "1"), pair("−150", "−100"));
 }
 

@@ -176,10 +176,10 @@ fn a_report_that_is_cancelled_leaves_nothing_behind() {
 fn every_chart_is_saved_as_svg() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window_of([1280.0, 2000.0], None, Runner::AtOnce);
-    window.get_by_label("Save picture of the workspace…");
+    window.get_by_label("Save picture: workspace…");
     {
         let plot = "deviation";
-        window.get_by_label(&format!("Save picture of the {plot}…"));
+        window.get_by_label("Save picture: deviation over angle…");
         let path = folder.path().join(format!("{plot}-before.svg"));
         window.state_mut().type_path(plot, &path);
         save(&mut window, false);
@@ -195,7 +195,7 @@ fn every_chart_is_saved_as_svg() {
     }
     identified(&mut window);
     press(&mut window, "4 Diagnose");
-    window.get_by_label("Save picture of the gap by step…");
+    window.get_by_label("Save picture: gap by step…");
     for plot in ["deviation", "gap by step"] {
         let path = folder.path().join(format!("{plot}.svg"));
         window.state_mut().type_path(plot, &path);

@@ -149,7 +149,7 @@ fn a_robot_is_typed_as_a_table_and_stays_among_ones_own() {
     let mut window = window(None);
     press(&mut window, "Robots…");
     typed(&mut window, "ur5e");
-    press(&mut window, "As a table…");
+    press(&mut window, "Robot as a table…");
     assert!(says(&window, "Nominal geometry as the maker states it"));
     press(
         &mut window,

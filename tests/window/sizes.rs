@@ -279,10 +279,10 @@ fn next_is_in_sight(window: &Window, label: &str, at: &str) {
 fn every_step_fits_at_every_size_before_anything_is_identified() {
     let next = [
         "Continue to regions",
-        "Identify by region",
+        "Continue to identify",
         "Identify",
         "Run diagnosis",
-        "Go to identify",
+        "Continue to identify",
     ];
     for size in SIZES {
         let mut window = window(size);

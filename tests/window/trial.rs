@@ -212,10 +212,10 @@ fn the_sheets_of_robots_fit_into_a_small_window() {
             assert!(whole.contains_rect(rect), "{size:?}, {label}: {rect}");
         };
         keys(&mut window, SHIFTED, Key::N);
-        for label in ["Find a robot", "Cancel", "As a table…", "Simulate…"] {
+        for label in ["Find a robot", "Cancel", "Robot as a table…", "Simulate…"] {
             in_sight(&mut window, label);
         }
-        press(&mut window, "As a table…");
+        press(&mut window, "Robot as a table…");
         for label in ["Name of the robot", "Cancel", "Simulate…"] {
             in_sight(&mut window, label);
         }
@@ -230,7 +230,7 @@ fn the_sheets_of_robots_fit_into_a_small_window() {
 fn typed_robot() -> Window {
     let mut window = window(None);
     keys(&mut window, SHIFTED, Key::N);
-    press(&mut window, "As a table…");
+    press(&mut window, "Robot as a table…");
     window.get_by_label("Name of the robot").click();
     window.run_steps(2);
     window.get_by_label("Name of the robot").type_text("mine ");
@@ -256,7 +256,7 @@ fn escape_discards_nothing_that_was_typed_without_a_question() {
     press(&mut window, "Discard");
     assert!(there(&window, "Find a robot"));
     // What was not touched is left without a question.
-    press(&mut window, "As a table…");
+    press(&mut window, "Robot as a table…");
     keys(&mut window, Modifiers::NONE, Key::Escape);
     assert!(there(&window, "Find a robot"));
 }
@@ -273,7 +273,7 @@ fn in_the_list_of_robots_enter_presses_what_has_the_focus_and_tab_goes_past_them
             .last()
     };
     let mut presses = 0;
-    while focused(&window).as_deref() != Some("As a table…") {
+    while focused(&window).as_deref() != Some("Robot as a table…") {
         window.key_press(Key::Tab);
         window.run_steps(2);
         presses += 1;

@@ -407,7 +407,7 @@ fn the_polar_view_is_saved_as_a_picture() {
     let mut window = window(None);
     keys(&mut window, Modifiers::COMMAND, Key::I);
     polar(&mut window);
-    assert!(there(&window, "Save picture of the polar…"));
+    assert!(there(&window, "Save picture: polar view…"));
     let path = folder.path().join("polar.svg");
     window.state_mut().type_path("polar", &path);
     window.run_steps(3);

@@ -9,7 +9,7 @@ use crate::compensation::decision::{FittedErrors, MeasuredDeviation};
 use crate::compensation::{self, VerifiedCalibration};
 use crate::effects::{Inputs, JointValues};
 use crate::export::poses::measured_poses;
-use crate::export::{Export, Job};
+use crate::export::{Export, Job, Options, Reference};
 use crate::fit::gap::Spread;
 use crate::gui::cache::cloud::{Cloud, Remainder};
 use crate::gui::core::answer::{Answer, Question, QuestionDetails, answer};
@@ -19,7 +19,8 @@ use crate::gui::core::overview::Readable;
 use crate::gui::jobs::Watch;
 use crate::language::spoken;
 use crate::numeric::Ascending;
-use crate::pipeline;
+use crate::pipeline::{self, CheckedExport};
+use crate::sessions::files::open::read_document;
 use crate::standards::Standards;
 use crate::text::Text;
 
@@ -95,12 +96,7 @@ impl AnswerSummary {
     }
 }
 
-/// Only itself.
-impl PartialEq for IdentifiedAnswer {
-    fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self, other)
-    }
-}
+only_itself!(IdentifiedAnswer);
 
 impl IdentifiedAnswer {
     /// Works the answer out. Takes its time with many samples.
@@ -145,6 +141,33 @@ pub(crate) struct PreviewRequest {
     pub(crate) name: Option<String>,
 }
 
+impl PreviewRequest {
+    /// The export under this name; refused where it makes the session worse.
+    pub(crate) fn made(&self, name: &str) -> Result<CheckedExport, String> {
+        let choice = &self.choice;
+        let reference = choice.reference.as_ref().map(|path| {
+            let bytes = read_document(path).map_err(|error| spoken(error.describe()))?;
+            Ok::<_, String>((path.display().to_string(), bytes))
+        });
+        let reference = reference.transpose()?;
+        let reference = reference.as_ref();
+        let verified = self.identified.handed_out()?;
+        let job = Job {
+            joint: choice.joint,
+            step: choice.step,
+            options: Options {
+                zeros: choice.zeros,
+                motors: choice.motors,
+                convention: choice.convention,
+                reference: reference.map(|(name, bytes)| Reference { name, bytes }),
+            },
+            ..Job::new(&verified, name)
+        };
+        let session = &self.identified.question.loaded_session.session;
+        pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.describe()))
+    }
+}
+
 /// An export as it would be written, and what it does.
 #[derive(Debug)]
 pub(crate) struct ExportPreview {
@@ -157,12 +180,7 @@ pub(crate) struct ExportPreview {
     pub(crate) error: Option<Spread>,
 }
 
-/// Only itself.
-impl PartialEq for ExportPreview {
-    fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self, other)
-    }
-}
+only_itself!(ExportPreview);
 
 /// Makes an export in memory, to be looked at before it is saved, or says why there is none.
 pub(crate) fn preview(wanted: &PreviewRequest) -> Result<Arc<ExportPreview>, String> {
@@ -175,24 +193,17 @@ pub(crate) fn preview(wanted: &PreviewRequest) -> Result<Arc<ExportPreview>, Str
     let calibration = &*outcome.handed_out()?;
     let name = name.clone();
     let name = name.unwrap_or_else(|| choice.file_name(&session.name));
-    let job = Job {
-        joint: choice.joint,
-        step: choice.step,
-        ..Job::new(calibration, &name)
-    };
     let inputs = if outcome.question.loaded_session.is_empty() {
-        measured_poses(&job)
+        measured_poses(&Job::new(calibration, &name))
     } else {
         Inputs::new(session, JointValues::Commanded)
     };
-    let made =
-        pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.describe()))?;
-    let export = made.export;
+    let made = wanted.made(&name)?;
     Ok(Arc::new(ExportPreview {
         remainder: compensation::Remainder::new(calibration, &inputs),
         error: made.gaps.map(|[_, after]| after),
         joint: session.robot.joints[choice.joint].name.clone(),
-        export,
+        export: made.export,
     }))
 }
 

@@ -20,10 +20,7 @@ const ID: &str = "deviation over position";
 
 impl ChartKind for OfAxis {
     fn about(&self) -> About {
-        let names = [
-            phrase!("position"),
-            phrase!("Deviation over position, run by run"),
-        ];
+        let names = [phrase!("position"), phrase!("Deviation over position")];
         let word = Word {
             name: phrase!("Deviation over position"),
             means: phrase!(
@@ -89,7 +86,10 @@ impl ChartKind for OfAxis {
         notes.retain(|note| !note.is_empty());
         Ok(Shown {
             chart: made.chart(title, notes.join(" · ")),
-            name: say!("deviation over position, run by run").to_owned(),
+            name: say!(
+                "Deviation over {label}, run by run",
+                label = say!("position")
+            ),
             description,
             pointed: HoverTarget::Nothing,
         })

@@ -14,6 +14,7 @@ use crate::present::drawing::Anchor;
 use crate::present::numbers::{grouped, significant};
 use crate::present::table::{Cell, Table};
 use crate::sessions::Sigma;
+use crate::text::capital;
 
 /// A noise curve is drawn where a bin is at most so many standard deviations wide.
 const SHARP: f64 = 3.0;
@@ -68,7 +69,7 @@ fn distribution(scene: &Scene) -> Result<Distribution, ChartPlaceholder> {
     let length = scene.component == Component::Length;
     let found = Distribution::new(&before, after.as_deref(), length);
     found.ok_or(ChartPlaceholder::new(
-        say!("No sample can be counted"),
+        capital(say!("no sample to show")),
         say!("Every sample lacks a joint value or a coordinate"),
     ))
 }

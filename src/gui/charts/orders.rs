@@ -18,7 +18,7 @@ use crate::present::drawing::Anchor;
 use crate::present::numbers::trimmed;
 use crate::present::spectrum::{Amplitude, Order, Spectrum};
 use crate::present::table::{Cell, Table};
-use crate::present::units::Units;
+use crate::present::units::{Units, in_unit};
 use crate::text::angle;
 
 /// Part of the height that is left for names.
@@ -218,7 +218,7 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
             label: say!("cycles per turn of {joint}", joint),
             ticks: Ticks::Words(ticks.collect()),
         },
-        upwards: Axis::numbers(say!("amplitude, {unit}", unit = units.length_name())),
+        upwards: Axis::numbers(in_unit(say!("amplitude"), units.length_name())),
         bounds: [[-0.6, 0.0], [last, value(top)]],
         items,
         legend,
@@ -281,16 +281,10 @@ fn describe(scene: &Scene, spectrum: &Spectrum) -> String {
         let mut out: Vec<(usize, f64)> = out.collect();
         out.sort_by(|a, b| b.1.total_cmp(&a.1));
         let words = out.iter().take(4).map(|(order, mm)| {
-            let amplitude = units.length(*mm);
-            match cause(spectrum, *order) {
-                Some(cause) => say!(
-                    "order {order} ({cause}) with {amplitude}",
-                    order,
-                    cause,
-                    amplitude
-                ),
-                None => say!("order {order} with {amplitude}", order, amplitude),
-            }
+            let cause = cause(spectrum, *order);
+            let cause = cause.map_or_else(String::new, |cause| format!(" ({cause})"));
+            let (order, amplitude) = (format!("{order}{cause}"), units.length(*mm));
+            say!("order {order} with {amplitude}", order, amplitude)
         });
         let words: Vec<String> = words.collect();
         if words.is_empty() {
@@ -336,11 +330,6 @@ fn limits(spectrum: &Spectrum) -> Option<String> {
             range,
             apart
         ),
-        1 => say!(
-            "range {range}: orders nearer than {apart} cannot be told apart, and order 1 cannot be seen",
-            range,
-            apart
-        ),
         n => say!(
             "range {range}: orders nearer than {apart} cannot be told apart, and orders up to {n} cannot be seen",
             range,
@@ -378,7 +367,7 @@ mod tests {
         assert!(says.contains("nearer than 2"), "{says}");
         let says = limits(&of(0.247, &[])).expect("it is less than a turn");
         assert!(
-            says.contains("nearer than 5") && says.contains("order 1 cannot"),
+            says.contains("nearer than 5") && says.contains("orders up to 1 cannot"),
             "{says}"
         );
         assert_eq!(limits(&of(1.0, &[])), None);

@@ -198,12 +198,12 @@ impl Drawn {
             let way = |name: &str, form| {
                 Entry::new(name, LegendSymbol::Mark(form), ColourRole::Noise, false)
             };
-            legend.push(way(say!(in "chart-word", "approach +"), Form::Forwards));
-            legend.push(way(say!(in "chart-word", "approach −"), Form::Backwards));
+            legend.push(way(say!("approach +"), Form::Forwards));
+            legend.push(way(say!("approach −"), Form::Backwards));
         }
         if self.band().is_some() {
             let role = ColourRole::Tolerance;
-            let name = say!(in "chart-word", "tolerance");
+            let name = say!("tolerance");
             legend.push(Entry::new(name, LegendSymbol::Line, role, false));
         }
         Chart {

@@ -68,11 +68,7 @@ pub(crate) struct LoadedModel {
     pub(crate) path: PathBuf,
 }
 
-impl PartialEq for LoadedModel {
-    fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self, other)
-    }
-}
+only_itself!(LoadedModel);
 
 impl LoadedModel {
     /// A model that was read from a file.

@@ -9,8 +9,8 @@ use crate::kinematics::Pose;
 use crate::pipeline;
 use crate::present::compensation_v1::{Summary, document};
 use crate::programs::{
-    Answer, Beside, CompensateError, DifferingNumber, ExternalAxes, LANGUAGES, Precedence,
-    ProgramFrames, Request, beside, language_of,
+    Answer, Beside, CompensateError, DifferingNumber, ExternalAxes, LANGUAGES, ModelTool,
+    Precedence, ProgramFrames, Request, beside, language_of,
 };
 use crate::sessions::files::open::read_document;
 
@@ -31,6 +31,9 @@ pub(crate) struct CompensationRequest {
     pub(crate) tool: Precedence<Pose>,
     /// Whose frame (work object, base, user frame) holds.
     pub(crate) frame: Precedence<Pose>,
+    /// The program's frame and tool, the model's tool on the flange, and the joint values before the first target, as
+    /// they are typed.
+    pub(crate) typed: [String; 4],
     /// What external axes move that differ between targets.
     pub(crate) external: ExternalAxes,
 }
@@ -45,9 +48,26 @@ impl CompensationRequest {
             measured_frame: false,
             tool: Precedence::Unsettled,
             frame: Precedence::Unsettled,
+            typed: Default::default(),
             external: ExternalAxes::Asked,
         }
     }
+}
+
+/// What [`CompensationRequest::typed`] is, and how it is written.
+pub(crate) fn stated_names() -> [(&'static str, &'static str); 4] {
+    [
+        (say!("Frame of the program"), "X,Y,Z[,A,B,C|,QW,QX,QY,QZ]"),
+        (
+            say!("Tool of the program"),
+            "X,Y,Z[,A,B,C|,QW,QX,QY,QZ]|NAME",
+        ),
+        (
+            say!("Tool of the model on the flange"),
+            "X,Y,Z[,A,B,C|,QW,QX,QY,QZ]",
+        ),
+        (say!("Joint values before the first target"), "Q1,Q2,…"),
+    ]
 }
 
 /// Why nothing was corrected.
@@ -152,6 +172,20 @@ fn corrected(
     for named in &wanted.with {
         beside.push((read(named)?, named.clone(), true));
     }
+    let robot = &calibration.model.robot;
+    let numbers = |text: &str| -> Vec<f64> {
+        let cells = text.split(',').map(|cell| cell.trim().parse());
+        cells.map(|cell| cell.unwrap_or(f64::NAN)).collect()
+    };
+    let pose = |k: usize| {
+        let typed = (!wanted.typed[k].is_empty()).then(|| numbers(&wanted.typed[k]));
+        let stated = typed.map(|typed| language.orientation.stated(stated_names()[k].0, &typed));
+        stated.transpose().map_err(|says| lines(&spoken(says)))
+    };
+    let named = wanted.typed[1].starts_with(char::is_alphabetic);
+    let tool = if named { None } else { pose(1)? };
+    let (frame, on_flange) = (pose(0)?, pose(2)?);
+    let start = Some(&wanted.typed[3]).filter(|typed| !typed.is_empty());
     let answer = pipeline::compensate(&Request {
         calibration,
         bytes: &bytes,
@@ -165,12 +199,16 @@ fn corrected(
             })
             .collect(),
         load_kg: wanted.load_kg,
-        start: None,
-        frame: None,
-        tool: None,
+        start: start.map(|typed| robot.in_base_units(&numbers(typed))),
+        frame,
+        tool: if named {
+            Some(ModelTool::Named(wanted.typed[1].clone()))
+        } else {
+            on_flange.map(ModelTool::OnFlange)
+        },
         frames: ProgramFrames {
-            tool: wanted.tool,
-            frame: wanted.frame,
+            tool: tool.map_or(wanted.tool, Precedence::Given),
+            frame: frame.map_or(wanted.frame, Precedence::Given),
             load: Precedence::Given(wanted.load_kg),
             external: wanted.external,
         },
@@ -191,14 +229,8 @@ fn corrected(
         }
     })?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let robot = &calibration.model.robot;
-    let json = document(
-        &answer,
-        robot,
-        [model, &name],
-        language.id,
-        &Pose::identity(),
-    );
+    let frame = frame.unwrap_or_else(Pose::identity);
+    let json = document(&answer, robot, [model, &name], language.id, &frame);
     let mut sidecar =
         serde_json::to_vec_pretty(&json).map_err(|error| lines(&error.to_string()))?;
     sidecar.push(b'\n');

@@ -2,18 +2,19 @@
 //! cannot be made.
 
 use std::collections::BTreeSet;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::diagnosis::SessionCorrection;
 use crate::document::degrees;
 use crate::effects::{CATALOGUE, Term};
-use crate::export::{find, usual};
+use crate::export::{Motors, Zeros, find, usual};
 use crate::fit::{DEFAULT_EFFECTS, regions_of};
 use crate::gui::core::answer::{LoadedModel, Question, QuestionDetails};
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::regions::{self, Decision, Division};
 use crate::gui::core::setup::SetupForm;
-use crate::kinematics::{JointKind, Robot};
+use crate::kinematics::{DhConvention, JointKind, Robot};
 use crate::language::spoken;
 use crate::model::RegionalCorrection;
 use crate::sessions::division::RegionChoice;
@@ -32,7 +33,7 @@ pub(crate) enum Method {
 }
 
 /// Which table is exported, and how.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ExportChoice {
     /// Name of the format.
     pub(crate) format: &'static str,
@@ -40,20 +41,31 @@ pub(crate) struct ExportChoice {
     pub(crate) joint: usize,
     /// Step of the table, degrees or mm; `None`: what the format needs.
     pub(crate) step: Option<f64>,
+    /// Who takes the zero offsets of the joints; `None`: what the format is for.
+    pub(crate) zeros: Option<Zeros>,
+    /// Convention of Denavit–Hartenberg rows; `None`: the one that the robot came in.
+    pub(crate) convention: Option<DhConvention>,
+    pub(crate) motors: Motors,
+    /// File that the export starts from.
+    pub(crate) reference: Option<PathBuf>,
 }
 
 impl ExportChoice {
     /// What is offered first.
-    fn usual(robot: &Robot) -> Self {
+    pub(crate) fn usual(robot: &Robot) -> Self {
         Self {
             format: usual(robot).id,
             joint: 0,
             step: None,
+            zeros: None,
+            convention: None,
+            motors: Motors::default(),
+            reference: None,
         }
     }
 
     /// Whether it is the same table, at whatever step.
-    pub(crate) fn is_of_the_table(self, other: Self) -> bool {
+    pub(crate) fn is_of_the_table(&self, other: &Self) -> bool {
         (self.format, self.joint) == (other.format, other.joint)
     }
 
@@ -233,7 +245,9 @@ impl Document {
     pub(crate) fn choose_method(&mut self, method: Method) -> Changed {
         self.ask_samples()?;
         if method == Method::Regional && !self.loaded_session.single_revolute() {
-            return Err(say!("regions are for a single joint that turns").to_owned());
+            return Err(
+                say!("regions divide what was measured with a single joint that turns").to_owned(),
+            );
         }
         self.method = method;
         Ok(phrase!("choose method"))
@@ -303,7 +317,7 @@ impl Document {
         let mut added = self.added.to_vec();
         added
             .get_mut(index)
-            .ok_or(say!("there is no such effect"))?
+            .ok_or(say!("it is not there any more"))?
             .on = on;
         let what = if on {
             phrase!("switch effect on")
@@ -374,7 +388,7 @@ impl Document {
         as_saved(&mut session);
         let left = session.samples.len();
         if session.samples.incomplete().len() == left {
-            return Err(say!("no sample would be left").to_owned());
+            return Err(say!("no sample would be left to fit").to_owned());
         }
         let same_rows = left == self.loaded_session.len();
         self.take_session(session);
@@ -498,19 +512,16 @@ impl Document {
     pub(crate) fn rename(&mut self, region: usize, name: &str) -> Changed {
         let name = name.trim();
         if name.is_empty() {
-            return Err(say!("a region needs a name").to_owned());
+            return Err(say!("a name is missing").to_owned());
         }
         let taken = |(k, r): (usize, &Region)| k != region && r.name == name;
         if self.regions.iter().enumerate().any(taken) {
-            return Err(say!(
-                "another region is called {name}; choose another name",
-                name
-            ));
+            return Err(say!("{name} is taken; choose another name", name));
         }
         let mut regions = self.regions.to_vec();
         let renamed = regions
             .get_mut(region)
-            .ok_or(say!("there is no such region"))?;
+            .ok_or(say!("it is not there any more"))?;
         name.clone_into(&mut renamed.name);
         self.regions = regions.into();
         Ok(phrase!("rename region"))

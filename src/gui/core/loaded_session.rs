@@ -116,7 +116,6 @@ pub(crate) struct LoadedSession {
     pub(crate) lineage: u64,
     /// The files that it was read from, as they looked then: the document first.
     pub(crate) files: Vec<Fingerprint>,
-    pub(crate) samples_file: Option<PathBuf>,
     /// What was hidden in it, where it was simulated here.
     pub(crate) hidden: Option<Arc<[Term]>>,
     /// The range of joint 1 that a model was measured in, where there are no samples, rad or mm.
@@ -126,12 +125,7 @@ pub(crate) struct LoadedSession {
     whole: Option<Arc<Self>>,
 }
 
-/// Only itself: what was opened twice is not the same.
-impl PartialEq for LoadedSession {
-    fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self, other)
-    }
-}
+only_itself!(LoadedSession);
 
 impl LoadedSession {
     /// Looks through a session.
@@ -201,7 +195,6 @@ impl LoadedSession {
             origin,
             lineage: OPENINGS.fetch_add(1, Ordering::Relaxed),
             files: Vec::new(),
-            samples_file: None,
             hidden: None,
             measured_range: None,
             whole: None,
@@ -215,7 +208,6 @@ impl LoadedSession {
         Self {
             lineage: self.lineage,
             files: self.files.clone(),
-            samples_file: self.samples_file.clone(),
             ..Self::new(session, self.findings.clone(), self.origin.clone())
         }
     }

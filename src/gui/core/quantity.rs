@@ -68,25 +68,25 @@ impl Over {
                 say!("Every sample needs its q1 cell"),
             ],
             Variable::Time => [
-                say!("No time was logged"),
+                say!("It was not logged"),
                 say!(
                     "A column time_s would show whether the deviation drifts while you measure, and when the tripod was touched"
                 ),
             ],
             Variable::Load => [
-                say!("No load was logged"),
+                say!("It was not logged"),
                 say!(
                     "A column load_kg would show whether the arm gives way under what it carries: measure some poses empty and the same ones loaded"
                 ),
             ],
             Variable::Temperature => [
-                say!("No temperature was logged"),
+                say!("It was not logged"),
                 say!(
                     "A column temperature_c would show whether the deviation follows the machine's warmth"
                 ),
             ],
             Variable::Speed | Variable::Travel => [
-                say!("The joint's motion was not logged"),
+                say!("It was not logged"),
                 say!(
                     "Columns speed1_deg_s and dir1 would show how the deviation follows the motion"
                 ),

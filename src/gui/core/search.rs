@@ -23,12 +23,7 @@ const SEARCHING: usize = 2;
 /// Part of the whole that is done when a stage begins.
 const BEGUN: [f64; 5] = [0.02, 0.1, 0.25, 0.7, 0.85];
 
-/// Only itself.
-impl PartialEq for Search {
-    fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self, other)
-    }
-}
+only_itself!(Search);
 
 impl Search {
     /// Searches. Takes its time.
@@ -39,7 +34,7 @@ impl Search {
             &progress_callback(watch),
         );
         let answer = answer.map_err(|error| match error {
-            DiagnoseError::Cancelled => say!("the search was cancelled").to_owned(),
+            DiagnoseError::Cancelled => say!("it was cancelled").to_owned(),
             other => other.to_string(),
         });
         Self {

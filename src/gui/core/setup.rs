@@ -82,10 +82,10 @@ impl Measured {
         for (k, target) in self.targets.iter().enumerate() {
             let name = target.name.trim();
             if name.is_empty() {
-                return Some(say!("a reflector needs a name").to_owned());
+                return Some(say!("a name is missing").to_owned());
             }
             if self.targets[..k].iter().any(|t| t.name.trim() == name) {
-                return Some(say!("another reflector is called {name}", name));
+                return Some(say!("{name} is taken; choose another name", name));
             }
             if !target.position_mm.iter().all(|mm| mm.is_finite()) {
                 return Some(say!("every field needs a number").to_owned());
@@ -192,7 +192,7 @@ mod tests {
             ("noise", |f| {
                 measured(f).sigma = Some(Sigma::Overall(0.0));
             }),
-            ("another reflector", |f| {
+            ("is taken", |f| {
                 let targets = &mut measured(f).targets;
                 targets[1].name = targets[0].name.clone();
             }),

@@ -1,11 +1,11 @@
 //! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
 //! targets are left as they are and why.
 
-use egui::{Align, Button, DragValue, Layout, RadioButton, RichText, ScrollArea, Ui};
+use egui::{Align, Button, DragValue, Layout, RadioButton, RichText, ScrollArea, Ui, vec2};
 use egui_extras::{Column, TableBuilder};
 
 use crate::explain::{self, Detail, Section, Topic};
-use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG};
+use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG, stated_names};
 use crate::gui::core::disk::name_of;
 use crate::gui::files;
 use crate::gui::style::{Palette, size, space, strong};
@@ -21,7 +21,7 @@ const WIDE: f32 = 860.0;
 /// The share of the window's height that the targets, and the lines, have at most.
 const HIGH: f32 = 0.3;
 /// Height of everything else in the sheet, points: in a low window its buttons are in sight all the same.
-const OTHER: f32 = 370.0;
+const OTHER: f32 = 396.0;
 /// Least height of the targets, and of the lines, points.
 const LEAST: f32 = 90.0;
 const ROW: f32 = 20.0;
@@ -49,7 +49,7 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench) {
             }
         }
         Ok(corrected) => {
-            ui.fact_of(phrase!("read as"), corrected.language);
+            ui.fact(say!("read as"), corrected.language);
             let detail = Detail::window(workbench.units());
             let orientation = workbench.loaded_session().session.robot.mobility() == 6;
             let says = explain::program(&corrected.answer, orientation, MOST_LEFT, detail);
@@ -60,13 +60,13 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench) {
     // Where nothing was corrected what is asked above is answered, or another file is taken.
     let (next, ready) = match &compensated.result {
         Ok(corrected) => (
-            say!("Save corrected file…"),
+            widgets::dots(say!("Save corrected file")),
             corrected.summary.corrected > 0,
         ),
-        Err(_) if differs.is_empty() => (say!("Choose another file…"), true),
-        Err(_) => (say!("Save corrected file…"), false),
+        Err(_) if differs.is_empty() => (widgets::dots(say!("Choose another file")), true),
+        Err(_) => (widgets::dots(say!("Save corrected file")), false),
     };
-    match ui.foot([(say!("Cancel"), true), (next, ready)]) {
+    match ui.foot([(say!("Cancel"), true), (&next, ready)]) {
         Some(0) => workbench.then(|bench| bench.show_sheet(None)),
         Some(_) if compensated.result.is_err() => workbench.then(Workbench::choose_targets),
         Some(_) => workbench.then(|bench| bench.choose_where_to_export(What::Targets)),
@@ -109,6 +109,18 @@ fn asked(
         ];
         one_of(ui, say!("External axis"), choices, &mut wanted.external);
     }
+    ui.folded(say!("More"), |ui| {
+        for ((name, written), typed) in stated_names().iter().zip(&mut wanted.typed) {
+            ui.form_row(name, |ui| {
+                let size = vec2(220.0, space::CONTROL);
+                let says = format!("{name}: {written}");
+                if let Some(text) = widgets::text_when_complete(ui, &says, typed, size) {
+                    text.trim().clone_into(typed);
+                }
+                ui.caption(written);
+            });
+        }
+    });
     if wanted != *before {
         workbench.then(move |bench| bench.compensate(wanted));
     }

@@ -19,19 +19,6 @@ mod robots;
 mod setup;
 mod unsaved;
 
-type Show = fn(&mut Ui, &Workbench);
-
-/// Every sheet that is opened by its name.
-const NAMED: &[(&str, Show)] = &[
-    ("about", about),
-    ("compensation", compensation::compensation),
-    ("details", record::details),
-    ("preferences", preferences::preferences),
-    ("recovery", unsaved::recovery),
-    ("robots", robots::robots),
-    ("words", words),
-];
-
 /// Where a sheet's head is, in parts of the window's height.
 const HEAD: f32 = 0.09;
 /// Width of what is said while a dialog of the system is open, points.
@@ -79,10 +66,13 @@ fn shown(ui: &Ui, workbench: &Workbench, sheet: &mut Sheet) {
                 Sheet::Unsaved(then) => unsaved::losses(ui, workbench, then),
                 Sheet::Overwrite(path) => unsaved::overwrite(ui, path, workbench),
                 Sheet::Import(foreign) => import::show(ui, workbench, foreign),
-                Sheet::Named(name) => match NAMED.iter().find(|(there, _)| there == name) {
-                    Some((_, show)) => show(ui, workbench),
-                    None => workbench.then(move |bench| bench.show_sheet(None)),
-                },
+                Sheet::About => about(ui, workbench),
+                Sheet::Compensation => compensation::compensation(ui, workbench),
+                Sheet::Details => record::details(ui, workbench),
+                Sheet::Preferences => preferences::preferences(ui, workbench),
+                Sheet::Recovery => unsaved::recovery(ui, workbench),
+                Sheet::Robots => robots::robots(ui, workbench),
+                Sheet::Words => words(ui, workbench),
             }
             widgets::focus_in_sight(ui);
         });
@@ -188,24 +178,4 @@ fn words(ui: &mut Ui, workbench: &Workbench) {
         }
     });
     done(ui, workbench);
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A name that is misspelt would open nothing.
-    #[test]
-    fn every_sheet_is_opened_by_its_name_and_every_name_has_a_sheet() {
-        let code = concat!(
-            include_str!("../actions.rs"),
-            include_str!("../view/mod.rs")
-        );
-        let named = code.split("Named(\"").skip(1);
-        let mut opened: Vec<&str> = named.filter_map(|rest| rest.split('"').next()).collect();
-        opened.sort_unstable();
-        let mut there: Vec<&str> = NAMED.iter().map(|(name, _)| *name).collect();
-        there.sort_unstable();
-        assert_eq!(opened, there);
-    }
 }

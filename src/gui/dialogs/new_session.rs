@@ -29,7 +29,7 @@ pub(super) fn simulation(ui: &mut Ui, form: &mut Form, workbench: &Workbench) {
     if form.is_of_the_lamp() {
         ui.secondary(say!("Another robot…"))
             .does(workbench, move |bench| {
-                bench.show_sheet(Some(Sheet::ROBOTS));
+                bench.show_sheet(Some(Sheet::Robots));
             });
     }
     let wrong = form.problems();
@@ -94,7 +94,8 @@ fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     if let Some(index) = gone {
         form.effects.remove(index);
     }
-    let list = ComboBox::from_id_salt("add effect").selected_text(say!("Add an effect…"));
+    let list =
+        ComboBox::from_id_salt("add effect").selected_text(widgets::dots(say!("Add an effect")));
     let list = list.width(240.0).height(360.0).show_ui(ui, |ui| {
         for (id, title) in form.offered() {
             let another = form.another(id);

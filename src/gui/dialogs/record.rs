@@ -58,7 +58,7 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
             ui.end_row();
             ui.weak(say!("Decision rule"));
             let rules = [
-                (None, say!("not decided")),
+                (None, say!("Not decided")),
                 (Some(Rule::Iso14253), "ISO 14253-1"),
                 (Some(Rule::Simple), say!("simple acceptance")),
             ];
@@ -83,7 +83,10 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
     }
     // Enter ends what is typed into one of many fields.
     let measured = !workbench.loaded_session().is_empty();
-    let pressed = ui.foot([(say!("Report…"), measured), (say!("Done"), true)]);
+    let pressed = ui.foot([
+        (&*widgets::dots(say!("Report")), measured),
+        (say!("Done"), true),
+    ]);
     if let Some(pressed) = pressed {
         workbench.then(|bench| bench.show_sheet(None));
         if pressed == 0 {

@@ -247,7 +247,7 @@ fn described(
             }
             let joints = table.rows.len();
             let joints = say!(one "{count} joint", "{count} joints", count = joints);
-            ui.fact_of(phrase!("kind"), joints);
+            ui.fact(say!("kind"), joints);
             ui.hint(say!("Typed here, and remembered on this computer"));
             if ui.secondary(say!("Forget it")).clicked() {
                 let name = table.name.clone();
@@ -263,16 +263,16 @@ fn known_of(ui: &mut Ui, robot: &LibraryRobot) {
         Some(_) => format!("{} {unit}", figure(value)),
         None => "–".to_owned(),
     };
-    ui.fact_of(phrase!("kind"), kind(robot));
+    ui.fact(say!("kind"), kind(robot));
     let [reach, load] = [with(robot.reach_mm, "mm"), with(robot.payload_kg, "kg")];
-    ui.fact_of(phrase!("reach, load"), format!("{reach}, {load}"));
-    ui.fact_of(
-        phrase!("repeatability (ISO 9283)"),
+    ui.fact(say!("reach, load"), format!("{reach}, {load}"));
+    ui.fact(
+        say!("repeatability (ISO 9283)"),
         with(robot.repeatability_mm, "mm"),
     );
     let geometry = source(&robot.sources.geometry.source);
     let geometry = geometry.map_or("", |source| source.what.as_str());
-    ui.fact_of(phrase!("geometry from"), geometry);
+    ui.fact(say!("geometry from"), geometry);
     if !robot.not_checked.is_empty() {
         let what = spoken(robot.not_checked());
         let says = say!("Not checked against a second source: {what}", what);
@@ -299,9 +299,9 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, entered: bool, workbench: &Workb
     let any = chosen.is_some();
     let pressed = ui.foot([
         (say!("Cancel"), true),
-        (say!("As a table…"), any),
-        (say!("Save robot file…"), any),
-        (say!("Simulate…"), any),
+        (&*widgets::dots(say!("Robot as a table")), any),
+        (&*widgets::dots(say!("Save robot file")), any),
+        (&*widgets::dots(say!("Simulate")), any),
     ]);
     match (pressed, chosen) {
         (Some(0), _) => workbench.then(|bench| bench.show_sheet(None)),

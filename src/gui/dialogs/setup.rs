@@ -13,6 +13,7 @@ use crate::gui::view::{Camera, Sheet};
 use crate::gui::widgets::{self, Buttons, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::sessions::{Session, Sigma, Target};
+use crate::text::capital;
 
 use crate::gui::workspace::robot_alone;
 
@@ -75,8 +76,10 @@ pub(super) fn show(ui: &mut Ui, form: &mut SetupForm, workbench: &Workbench) {
                 ui.collapsing(say!("Masses of links"), |ui| masses(ui, &mut typed.rows));
                 if let Some(measured) = measured {
                     let session = &workbench.loaded_session().session;
-                    ui.collapsing(say!("Reflectors"), |ui| targets(ui, measured, session));
-                    ui.collapsing(say!("Instrument"), |ui| instrument(ui, measured));
+                    ui.collapsing(capital(say!("reflectors")), |ui| {
+                        targets(ui, measured, session);
+                    });
+                    ui.collapsing(capital(say!("instrument")), |ui| instrument(ui, measured));
                 }
                 widgets::focus_in_sight(ui);
             });
@@ -108,7 +111,7 @@ pub(super) fn table(ui: &mut Ui, typed: &mut RobotTable) {
 
 /// Name of the robot, and in which terms it is typed.
 fn head(ui: &mut Ui, typed: &mut RobotTable) {
-    ui.form_row(say!("Name"), |ui| {
+    ui.form_row(&capital(say!("name")), |ui| {
         let field = TextEdit::singleline(&mut typed.name);
         ui.named(say!("Name of the robot"), field);
     });
@@ -170,7 +173,13 @@ fn rows(ui: &mut Ui, typed: &mut RobotTable, any: bool) {
                 joint(ui, number, row, heads);
                 let remove = Button::new("×").min_size(vec2(24.0, NAME[1]));
                 let remove = ui.add_enabled(several, remove);
-                widgets::label(&remove, say!("Remove joint {joint}", joint = number));
+                widgets::label(
+                    &remove,
+                    say!(
+                        "Remove {effect}",
+                        effect = say!("joint {joint}", joint = number)
+                    ),
+                );
                 if remove.clicked() {
                     gone = Some(index);
                 }
@@ -237,8 +246,8 @@ fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'st
         });
     }
     let name = say!("The travel of joint {joint} is known", joint = number);
-    let known = ui.named(name, Checkbox::without_text(&mut travel));
-    known.on_hover_text(say!("The travel of the joint is known"));
+    let known = ui.named(name.clone(), Checkbox::without_text(&mut travel));
+    known.on_hover_text(name);
     row.travel = travel.then_some([from, to]);
 }
 
@@ -255,7 +264,7 @@ fn frames(ui: &mut Ui, typed: &mut RobotTable) {
             let (at, turned) = values.split_at_mut(3);
             widgets::numbers(ui, (row, "mm"), &signs[..3], at, (NUMBER, 1.0));
             widgets::numbers(ui, (row, "°"), &signs[3..], turned, (NUMBER, 1.0));
-            if row == say!("Tool") {
+            if row == capital(say!("tool")) {
                 ui.question(help::TOOL);
             }
         });
@@ -263,17 +272,23 @@ fn frames(ui: &mut Ui, typed: &mut RobotTable) {
     if typed.form != TableForm::Axes {
         six(ui, say!("Base of the rows"), &mut typed.base);
     }
-    six(ui, say!("Tool"), &mut typed.tool);
+    six(ui, &capital(say!("tool")), &mut typed.tool);
     ui.hint(say!(
         "x, y, z in mm; A, B, C in degrees about z, the new y and the new x"
     ));
-    ui.form_row(say!("Gravity"), |ui| {
+    ui.form_row(&capital(say!("gravity")), |ui| {
         let mut known = typed.gravity.is_some();
         if ui.checkbox(&mut known, say!("is known, m/s²")).changed() {
             typed.gravity = known.then_some([0.0, 0.0, -9.81]);
         }
         if let Some(gravity) = &mut typed.gravity {
-            widgets::numbers(ui, (say!("Gravity"), ""), &XYZ, gravity, (NUMBER, 0.01));
+            widgets::numbers(
+                ui,
+                (&capital(say!("gravity")), ""),
+                &XYZ,
+                gravity,
+                (NUMBER, 0.01),
+            );
         }
     });
 }
@@ -323,7 +338,7 @@ fn targets(ui: &mut Ui, measured: &mut Measured, session: &Session) {
 }
 
 fn instrument(ui: &mut Ui, measured: &mut Measured) {
-    ui.form_row(say!("Name"), |ui| {
+    ui.form_row(&capital(say!("name")), |ui| {
         let field = TextEdit::singleline(&mut measured.instrument);
         ui.named(say!("Name of the instrument"), field);
     });
@@ -337,7 +352,7 @@ fn instrument(ui: &mut Ui, measured: &mut Measured) {
         (1, say!("one number")),
         (3, "x, y, z"),
     ];
-    ui.form_row(say!("noise, one σ, mm"), |ui| {
+    ui.form_row(&format!("{}, mm", say!("noise, one σ")), |ui| {
         if let Some(kind) = ui.segmented(&kinds, kind) {
             measured.sigma = match kind {
                 0 => None,
@@ -350,7 +365,13 @@ fn instrument(ui: &mut Ui, measured: &mut Measured) {
             Some(Sigma::Overall(sigma)) => (&[""][..], std::slice::from_mut(sigma)),
             Some(Sigma::PerAxis(sigma)) => (&XYZ[..], &mut sigma[..]),
         };
-        widgets::numbers(ui, (say!("Noise"), "mm"), parts, values, (NUMBER, 0.001));
+        widgets::numbers(
+            ui,
+            (&capital(say!("noise")), "mm"),
+            parts,
+            values,
+            (NUMBER, 0.001),
+        );
         ui.question(help::NOISE);
     });
 }
@@ -363,12 +384,16 @@ fn ends(ui: &mut Ui, form: &SetupForm, sound: bool, workbench: &Workbench) {
         say!("Simulate…")
     };
     let cancel = (say!("Cancel"), true);
-    let buttons = [cancel, (say!("Save robot file…"), sound), (primary, sound)];
+    let buttons = [
+        cancel,
+        (&*widgets::dots(say!("Save robot file")), sound),
+        (primary, sound),
+    ];
     let (Some(pressed), form) = (ui.foot(buttons), form.clone()) else {
         return;
     };
     workbench.then(move |bench| {
-        bench.show_sheet((pressed == 0 && !of_session).then_some(Sheet::ROBOTS));
+        bench.show_sheet((pressed == 0 && !of_session).then_some(Sheet::Robots));
         match pressed {
             0 => {}
             1 => bench.keep_robot(form.robot, true),

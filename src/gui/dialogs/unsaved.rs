@@ -7,6 +7,7 @@ use std::time::{Duration, SystemTime};
 use egui::{Id, Key, TextEdit, Ui};
 
 use crate::export::find;
+use crate::text::capital;
 
 use crate::gui::style::space;
 use crate::gui::view::{NextAction, Sheet, What};
@@ -16,17 +17,12 @@ use crate::gui::workbench::Workbench;
 /// Shows what would be lost, and what can be done about it.
 pub(super) fn losses(ui: &mut Ui, workbench: &Workbench, then: &NextAction) {
     widgets::wide(ui, 420.0);
-    let (title, discard) = match then {
-        NextAction::Leave => (say!("Leave without saving?"), say!("Leave without saving")),
-        NextAction::Open(_) | NextAction::Example(_) => {
-            (say!("Open without saving?"), say!("Open without saving"))
-        }
-        NextAction::Simulate(_) => (
-            say!("Simulate without saving?"),
-            say!("Simulate without saving"),
-        ),
+    let discard = match then {
+        NextAction::Leave => say!("Leave without saving"),
+        NextAction::Open(_) | NextAction::Example(_) => say!("Open without saving"),
+        NextAction::Simulate(_) => say!("Simulate without saving"),
     };
-    ui.heading(title);
+    ui.heading(say!("{question}?", question = discard));
     let name = &workbench.loaded_session().session.name;
     let losses = workbench.at_risk();
     if losses.session {
@@ -47,13 +43,13 @@ pub(super) fn losses(ui: &mut Ui, workbench: &Workbench, then: &NextAction) {
         ));
     }
     let save = match (losses.session, losses.model) {
-        (true, true) => say!("Save session and model…"),
-        (true, false) => say!("Save session"),
-        (false, true) => say!("Save model…"),
-        (false, false) => say!("Go on"),
+        (true, true) => widgets::dots(say!("Save session and model")),
+        (true, false) => say!("Save session").to_owned(),
+        (false, true) => widgets::dots(say!("Save model")),
+        (false, false) => say!("Go on").to_owned(),
     };
     let then = then.clone();
-    let [saved, discarded] = decided(ui, save, discard, workbench);
+    let [saved, discarded] = decided(ui, &save, discard, workbench);
     if saved && losses.any() {
         workbench.then(move |bench| bench.save_then(then));
     } else if saved || discarded {
@@ -96,8 +92,11 @@ pub(super) fn overwrite(ui: &mut Ui, path: &Path, workbench: &Workbench) {
         "{path} changed since it was read. Saving here would replace what was written there",
         path = path.display()
     ));
-    let (keep, lose) = (say!("Save under another name…"), say!("Replace it"));
-    match decided(ui, keep, lose, workbench) {
+    let (keep, lose) = (
+        widgets::dots(say!("Save under another name")),
+        say!("Replace it"),
+    );
+    match decided(ui, &keep, lose, workbench) {
         [true, _] => workbench.then(|bench| {
             bench.show_sheet(None);
             bench.choose_where_to_export(What::Session);
@@ -120,13 +119,13 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench) {
     widgets::card(ui, |ui| {
         ui.bold(&left.kept.session.name);
         if let Some(ago) = left.when.and_then(ago) {
-            ui.fact_of(phrase!("last saved"), ago);
+            ui.fact(say!("last saved"), ago);
         }
         let samples = left.kept.session.samples.len().to_string();
-        ui.fact_of(phrase!("samples"), samples);
+        ui.fact(say!("samples"), samples);
         let file = left.kept.about.file.as_ref().and_then(|f| f.file_name());
         let file = file.map_or(say!("no file").into(), |f| f.to_string_lossy());
-        ui.fact_of(phrase!("file"), file);
+        ui.fact(say!("file"), file);
     });
     // What is discarded cannot be brought back: it takes a second press.
     let id = Id::unique(("discard of the recovery", left.when));
@@ -139,7 +138,7 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench) {
     match ui.foot([
         (discard, true),
         (say!("Not now"), true),
-        (say!("Restore"), true),
+        (&capital(say!("restore")), true),
     ]) {
         Some(0) if sure => workbench.then(Workbench::discard_left_behind),
         Some(0) => drop(ui.data_mut(|data| data.insert_temp(id, true))),

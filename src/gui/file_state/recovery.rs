@@ -30,7 +30,6 @@ pub(crate) struct RecoveryFile {
     path: PathBuf,
     /// Held, never read.
     _lock: File,
-    lock_path: PathBuf,
 }
 
 /// What stands in the first line.
@@ -97,7 +96,6 @@ impl RecoveryFile {
         Ok(Self {
             path: lock_path.with_extension(ENDING),
             _lock: file,
-            lock_path,
         })
     }
 
@@ -109,7 +107,7 @@ impl RecoveryFile {
     /// Leaves nothing behind: the window closes as it should.
     pub(crate) fn tidy(&self) {
         let _ = fs::remove_file(&self.path);
-        let _ = fs::remove_file(&self.lock_path);
+        let _ = fs::remove_file(self.path.with_extension("lock"));
     }
 }
 
@@ -179,11 +177,7 @@ pub(crate) fn left_behind(folder: &Path) -> Option<Result<LeftBehind, (PathBuf, 
     let path = lock.with_extension(ENDING);
     Some(match read(&path) {
         Ok(kept) => Ok(LeftBehind {
-            own: RecoveryFile {
-                path,
-                _lock: file,
-                lock_path: lock,
-            },
+            own: RecoveryFile { path, _lock: file },
             when,
             kept,
         }),

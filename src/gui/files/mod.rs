@@ -6,8 +6,8 @@ pub(crate) mod writing;
 
 pub(crate) use crate::pipeline::is_model;
 pub(crate) use system::{
-    cancelled, choose_beside, choose_declarations, choose_logo, choose_targets, choose_to_export,
-    choose_to_import, choose_to_open, open_outside,
+    cancelled, choose_beside, choose_declarations, choose_logo, choose_reference, choose_targets,
+    choose_to_export, choose_to_import, choose_to_open, open_outside,
 };
 #[cfg(test)]
 pub(crate) use writing::not_written;
@@ -98,8 +98,6 @@ fn looked_through(
     origin: Origin,
     part: ProgressSpan<'_>,
 ) -> Result<Arc<LoadedSession>, Cancelled> {
-    let in_a_file = !loaded.session.samples.line.is_empty();
-    let samples_file = loaded.files.last().filter(|_| in_a_file).cloned();
     let findings = loaded.findings;
     let mut loaded_session =
         LoadedSession::watched(loaded.session, findings, origin, part.part(0.0, 0.6))?;
@@ -108,7 +106,6 @@ fn looked_through(
         .iter()
         .filter_map(|f| Fingerprint::of(f))
         .collect();
-    loaded_session.samples_file = samples_file.filter(|_| !loaded_session.files.is_empty());
     // Made here, so that the window never waits for it.
     Cloud::of(&loaded_session);
     part.reached(1.0)?;
@@ -164,7 +161,7 @@ pub(crate) fn first_example() -> Arc<LoadedSession> {
 pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
     let Some(named) = EXAMPLES.get(index) else {
         return Err(Message::wrong(
-            say!("There is no such example").to_owned(),
+            crate::text::capital(say!("it is not there any more")),
             vec![say!("The examples are in the File menu").to_owned()],
         ));
     };

@@ -10,22 +10,28 @@ use crate::gui::import_draft::{Companion, ROBOTS, TABLES};
 use crate::gui::view::What;
 use crate::language;
 use crate::programs::LANGUAGES;
-use crate::text::{Template, spoken};
+use rfd::FileDialog;
+
+use crate::text::{Template, capital, spoken};
 
 /// Asks the user for a file of one of these kinds, beside this one.
 fn pick(near: Option<&Path>, title: &str, kinds: &[(&str, &[&str])]) -> Option<PathBuf> {
     let dialog = dialog_beside(near).set_title(title);
-    let with = |dialog: rfd::FileDialog, (name, endings): &(&str, &[&str])| {
-        dialog.add_filter(*name, endings)
-    };
+    let with = |dialog, (name, endings): &(&str, &[&str])| of_kind(dialog, name, endings);
     let dialog = kinds.iter().fold(dialog, with);
     dialog.add_filter(say!("All files"), &["*"]).pick_file()
+}
+
+/// Offers files of a kind, with their endings.
+fn of_kind(dialog: FileDialog, name: &str, endings: &[&str]) -> FileDialog {
+    let all: Vec<String> = endings.iter().map(|ending| format!("*.{ending}")).collect();
+    dialog.add_filter(format!("{name} ({})", all.join(", ")), endings)
 }
 
 /// Asks the user for a session, a model or measurements.
 pub(crate) fn choose_to_open(near: Option<&Path>) -> Option<PathBuf> {
     let kinds: [(&str, &[&str]); 2] = [
-        (say!("Sessions and models (*.json)"), &["json"]),
+        (say!("Sessions and models"), &["json"]),
         (spoken(MEASUREMENTS), TABLES),
     ];
     pick(near, say!("Open session, model or measurements"), &kinds)
@@ -42,15 +48,18 @@ pub(crate) fn choose_targets(near: Option<&Path>) -> Option<PathBuf> {
 
 /// Asks the user for a file of the controller beside a program.
 pub(crate) fn choose_declarations(program: &Path) -> Option<PathBuf> {
-    pick(Some(program), say!("File of the controller"), &[])
+    pick(Some(program), say!("Choose a file of the controller"), &[])
+}
+
+/// Asks the user for a file that an export starts from.
+pub(crate) fn choose_reference(near: Option<&Path>) -> Option<PathBuf> {
+    pick(near, say!("File that the export starts from"), &[])
 }
 
 /// Asks the user for a picture for the head of a report.
 pub(crate) fn choose_logo(near: Option<&Path>) -> Option<PathBuf> {
     let dialog = dialog_beside(near).set_title(say!("Logo of the report"));
-    dialog
-        .add_filter(say!("PNG pictures"), &["png"])
-        .pick_file()
+    of_kind(dialog, say!("Picture"), &["png"]).pick_file()
 }
 
 /// Asks the user for a file that an instrument wrote.
@@ -68,18 +77,18 @@ pub(crate) fn choose_beside(which: Companion, measured: Option<&Path>) -> Option
         Companion::Targets => say!("Reflectors in the tool frame"),
     };
     let kind = if which == Companion::Robot {
-        (say!("Robots and sessions (*.json, *.urdf, *.xml)"), ROBOTS)
+        (say!("Robots and sessions"), ROBOTS)
     } else {
-        (say!("Tables (*.csv, *.txt, *.tsv, *.dat, *.asc)"), TABLES)
+        (say!("Measurements"), TABLES)
     };
     pick(measured, title, &[kind])
 }
 
-const MEASUREMENTS: Template = phrase!("Measurements (*.csv, *.txt, *.tsv, *.dat, *.asc)");
+const MEASUREMENTS: Template = phrase!("Measurements");
 
 /// A dialog that begins in the folder of this file.
-fn dialog_beside(file: Option<&Path>) -> rfd::FileDialog {
-    let dialog = rfd::FileDialog::new();
+fn dialog_beside(file: Option<&Path>) -> FileDialog {
+    let dialog = FileDialog::new();
     match file.and_then(Path::parent).filter(|folder| folder.is_dir()) {
         Some(folder) => dialog.set_directory(folder),
         None => dialog,
@@ -87,7 +96,7 @@ fn dialog_beside(file: Option<&Path>) -> rfd::FileDialog {
 }
 
 /// A dialog that begins in the folder where the file belongs, with its name.
-fn dialog_at(path: &Path) -> rfd::FileDialog {
+fn dialog_at(path: &Path) -> FileDialog {
     let name = path.file_name().unwrap_or_default();
     dialog_beside(Some(path)).set_file_name(name.to_string_lossy())
 }
@@ -95,29 +104,20 @@ fn dialog_at(path: &Path) -> rfd::FileDialog {
 /// Asks the user where to export to.
 pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
     let dialog = dialog_at(path).set_title(what.title());
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    let table = capital(say!("table"));
     let dialog = match what {
-        What::Report(_) => dialog
-            .add_filter(say!("HTML or PDF (*.html, *.pdf)"), &["html", "pdf"])
-            .add_filter(say!("PDF (*.pdf)"), &["pdf"]),
-        What::Picture(plot) => {
-            let ending = plot.ending();
-            dialog.add_filter(say!("Picture (*.{ending})", ending), &[ending])
+        What::Report(_) => {
+            let dialog = of_kind(dialog, say!("Report"), &["html", "pdf"]);
+            of_kind(dialog, say!("Report"), &["pdf"])
         }
-        What::Session => dialog.add_filter(say!("Session (*.json)"), &["json"]),
-        What::Model => dialog.add_filter(say!("Model (*.json)"), &["json"]),
-        What::Robot(_) | What::TypedRobot => dialog.add_filter(say!("Robot (*.json)"), &["json"]),
-        What::Poses => dialog.add_filter(say!("CSV table (*.csv)"), &["csv"]),
-        What::Table | What::Targets => match path.extension().and_then(|ending| ending.to_str()) {
-            Some(ending) => {
-                let name = if what == What::Table {
-                    say!("Table")
-                } else {
-                    say!("Targets")
-                };
-                dialog.add_filter(format!("{name} (*.{ending})"), &[ending])
-            }
-            None => dialog,
-        },
+        What::Picture(plot) => of_kind(dialog, say!("Picture"), &[plot.ending()]),
+        What::Session => of_kind(dialog, say!("Session"), &["json"]),
+        What::Model => of_kind(dialog, say!("Model"), &["json"]),
+        What::Robot(_) | What::TypedRobot => of_kind(dialog, &capital(say!("robot")), &["json"]),
+        What::Poses => of_kind(dialog, &table, &["csv"]),
+        What::Table => of_kind(dialog, &table, ending.as_slice()),
+        What::Targets => of_kind(dialog, say!("Targets"), ending.as_slice()),
     };
     dialog.save_file()
 }

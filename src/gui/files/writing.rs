@@ -6,7 +6,7 @@ use std::sync::Arc;
 use egui::{Color32, ColorImage};
 
 use crate::atomic::{StagedFile, WriteError, commit_both, refuse_to_replace_inputs};
-use crate::export::{Document, Job};
+use crate::export::Document;
 use crate::gui::cache::{IdentifiedAnswer, PreviewRequest};
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::{FileChange, Fingerprint, name_of};
@@ -86,13 +86,7 @@ pub(crate) fn save(
         let session = document.session_to_save();
         match pipeline::save_watched(&session, &path, replacing, watch.progress_callback()) {
             Ok(_) => Ok(outputs.iter().filter_map(|o| Fingerprint::of(o)).collect()),
-            Err(error) => Err(NotSaved::Because(Message::wrong(
-                say!("{path} could not be saved", path = path.display()),
-                vec![
-                    advice(&error),
-                    say!("What was there before is there still").to_owned(),
-                ],
-            ))),
+            Err(error) => Err(NotSaved::Because(not_written(&path, advice(&error)))),
         }
     };
     Saved {
@@ -145,24 +139,15 @@ pub(crate) fn documents(
 ) -> Result<Vec<Document>, String> {
     let name = path.file_name().and_then(|name| name.to_str());
     let name = name.ok_or(say!("expected the name of a file, in UTF-8"))?;
-    let choice = wanted.choice;
-    let verified = wanted.identified.handed_out()?;
     if what == What::Model {
+        let verified = wanted.identified.handed_out()?;
         return Ok(vec![Document {
             name: name.to_owned(),
             bytes: pipeline::write_model(&verified).into_bytes(),
         }]);
     }
     // Not as it is shown: the documents say what the file is called.
-    let job = Job {
-        joint: choice.joint,
-        step: choice.step,
-        ..Job::new(&verified, name)
-    };
-    let session = &wanted.identified.question.loaded_session.session;
-    let export =
-        pipeline::export_for(choice.format, &job, session).map_err(|e| spoken(e.describe()))?;
-    Ok(export.export.documents)
+    Ok(wanted.made(name)?.export.documents)
 }
 
 /// Writes documents, the first of them under this name and the others beside it: all of them or nothing, and nothing

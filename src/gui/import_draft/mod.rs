@@ -437,7 +437,7 @@ pub(crate) fn listed(mut lines: Vec<String>) -> Vec<String> {
     let more = lines.len().saturating_sub(MOST);
     lines.truncate(MOST);
     if more > 0 {
-        lines.push(say!(in "common", "and {more} more", more));
+        lines.push(say!("and {more} more", more));
     }
     lines
 }
@@ -455,26 +455,25 @@ pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
 }
 
 /// What an option of the command line, with a value that is the same in every language, is called on the sheet.
-const OPTIONS: [(&str, Template); 16] = [
+const OPTIONS: [(&str, Template); 15] = [
     (
         "--in-measuring-order",
-        phrase!("“the rows are in the order in which they were measured”"),
+        phrase!("the rows are in the order in which they were measured"),
     ),
-    ("--clock-offset", phrase!("“Clocks apart by”")),
-    ("--match order", phrase!("“Matched” by order")),
-    ("--match name", phrase!("“Matched” by name")),
-    ("--match", phrase!("“Matched”")),
-    ("--commands", phrase!("a file of commands")),
-    ("--targets", phrase!("a file of reflectors")),
-    ("--reference", phrase!("a file of known points")),
-    ("--angle-unit", phrase!("“Angles in”")),
-    ("--separator", phrase!("“Separated by”")),
-    ("--decimal", phrase!("“Decimal sign”")),
-    ("--columns", phrase!("the columns above as")),
-    ("--z-up", phrase!("“y points up”")),
-    ("--scale", phrase!("“fit a scale too”")),
-    ("--joint", phrase!("“Joint measured”")),
-    ("--unit", phrase!("“Lengths in”")),
+    ("--clock-offset", phrase!("Clocks apart by")),
+    ("--match order", phrase!("by order")),
+    ("--match name", phrase!("by name")),
+    ("--match", phrase!("Matched")),
+    ("--commands", phrase!("File of the commands")),
+    ("--targets", phrase!("File of the reflectors")),
+    ("--reference", phrase!("File of the known points")),
+    ("--angle-unit", phrase!("Angles in")),
+    ("--separator", phrase!("Separated by")),
+    ("--decimal", phrase!("Decimal sign")),
+    ("--z-up", phrase!("y points up: turn it so that z does")),
+    ("--scale", phrase!("fit a scale too")),
+    ("--joint", phrase!("Joint measured")),
+    ("--unit", phrase!("Lengths in")),
 ];
 
 /// A finding in the words of the window: what is only noted needs no key of the document.
@@ -491,11 +490,10 @@ pub(crate) fn in_the_windows_words(finding: &Diagnostic) -> String {
 
 /// The same sentence with the names that the sheet has for the command line's options.
 pub(crate) fn in_the_sheets_words(sentence: &str) -> String {
-    let said = OPTIONS
-        .iter()
-        .fold(sentence.to_owned(), |said, (option, field)| {
-            said.replace(option, spoken(*field))
-        });
+    let said = OPTIONS.iter().fold(
+        sentence.replace("--columns", say!("the columns above as")),
+        |said, (option, field)| said.replace(option, &format!("“{}”", spoken(*field))),
+    );
     // Options that one format has, the longer names first: one may begin like another.
     let own = IMPORTERS.iter().flat_map(|importer| importer.options);
     let mut own: Vec<_> = own.map(|option| (option.name, option.title)).collect();

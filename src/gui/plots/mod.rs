@@ -15,17 +15,23 @@ use egui::{
 };
 use egui_plot::{Axis, AxisHints, GridMark, Plot, PlotResponse, PlotTransform, PlotUi};
 
+use crate::gui::charts;
 use crate::gui::style::{Palette, size};
+use crate::gui::view::Plot as Picture;
 use crate::gui::view::What;
 use crate::gui::widgets::{self, Buttons, Does, Words};
 use crate::gui::workbench::Workbench;
 use crate::present::chart::{Form, Ticks, ticks};
 use crate::present::numbers::trimmed;
-use crate::text::{Template, spoken};
+use crate::text::{Template, spoken, within};
 
 /// Saves a plot as a file.
-pub(crate) fn picture(ui: &mut Ui, plot: crate::gui::view::Plot, workbench: &Workbench) {
-    let says = say!("Save picture of the {plot}…", plot = plot.title());
+pub(crate) fn picture(ui: &mut Ui, plot: Picture, workbench: &Workbench) {
+    let name = match plot {
+        Picture::Workspace => say!("Workspace"),
+        Picture::Chart(id) => charts::find(id).map_or(id, |chart| chart.about().name()),
+    };
+    let says = say!("Save picture: {plot}…", plot = within(name));
     let button = ui.icon_button(widgets::SAVE, &says);
     button.on_hover_text(&says).does(workbench, move |bench| {
         bench.choose_where_to_export(What::Picture(plot));

@@ -13,7 +13,6 @@ use crate::gui::core::overview::ROOM;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::ImportDraft;
-use crate::language::known_words;
 use crate::present::numbers::Notation;
 use crate::present::units::{AngleUnit, LengthUnit};
 use crate::text::{Language, current};
@@ -263,20 +262,21 @@ pub(crate) enum Sheet {
     Overwrite(PathBuf),
     /// A file that an instrument wrote.
     Import(Box<ImportDraft>),
-    /// One that keeps nothing of its own: its file in `dialogs`.
-    Named(&'static str),
+    About,
+    /// Targets that were corrected.
+    Compensation,
+    /// What the report states besides its measurements.
+    Details,
+    Preferences,
+    /// What windows that are gone have left behind.
+    Recovery,
+    /// The library of robots.
+    Robots,
+    /// The glossary.
+    Words,
 }
 
 impl Sheet {
-    /// Targets that were corrected.
-    pub(crate) const COMPENSATION: Self = Self::Named("compensation");
-    /// What the report states besides its measurements.
-    pub(crate) const DETAILS: Self = Self::Named("details");
-    /// The library of robots.
-    pub(crate) const ROBOTS: Self = Self::Named("robots");
-    /// What windows that are gone have left behind.
-    pub(crate) const RECOVERY: Self = Self::Named("recovery");
-
     /// A robot that is typed, as it is opened.
     pub(crate) fn set_up(form: SetupForm) -> Self {
         let form = Box::new(form);
@@ -291,7 +291,7 @@ impl Sheet {
         match self {
             Self::Simulate(form) if form.is_of_the_lamp() => None,
             Self::Setup { form, .. } if form.measured.is_some() => None,
-            Self::Simulate(_) | Self::Setup { .. } => Some(Self::ROBOTS),
+            Self::Simulate(_) | Self::Setup { .. } => Some(Self::Robots),
             Self::Discard(typed) => Some((**typed).clone()),
             _ => None,
         }
@@ -315,17 +315,17 @@ impl Sheet {
     pub(crate) fn is_a_form(&self) -> bool {
         matches!(
             self,
-            Self::Simulate(_) | Self::Setup { .. } | Self::Import(_) | &Self::DETAILS
+            Self::Simulate(_) | Self::Setup { .. } | Self::Import(_) | Self::Details
         )
     }
 
     /// Whether it holds what was typed or chosen in it. A click beside it, which may be meant for something else, does
     /// not close it; Escape and *Cancel* do.
     pub(crate) fn holds_entries(&self) -> bool {
-        match self {
-            Self::Named(name) => ["compensation", "details", "recovery"].contains(name),
-            _ => true,
-        }
+        !matches!(
+            self,
+            Self::About | Self::Preferences | Self::Robots | Self::Words
+        )
     }
 }
 
@@ -452,11 +452,6 @@ impl Plot {
         }
     }
 
-    /// Its name in the language of the window.
-    pub(crate) fn title(self) -> String {
-        known_words("plot", self.name()).unwrap_or_else(|| self.name().to_owned())
-    }
-
     /// What its file is called unless the user says otherwise.
     pub(crate) fn file_name(self, session: &str, ending: &str) -> String {
         let session = plain(session);
@@ -546,22 +541,22 @@ impl Preferences {
         }
     }
 
-    /// The unit of lengths behind this one, and how it is offered.
-    pub(crate) fn next_length(&self) -> (LengthUnit, &'static str) {
+    /// The unit of lengths behind this one.
+    pub(crate) fn next_length(&self) -> LengthUnit {
         match self.length {
-            LengthUnit::Millimetre => (LengthUnit::Micrometre, say!("Lengths in µm")),
-            LengthUnit::Micrometre => (LengthUnit::Inch, say!("Lengths in inches")),
-            LengthUnit::Inch => (LengthUnit::Millimetre, say!("Lengths in mm")),
+            LengthUnit::Millimetre => LengthUnit::Micrometre,
+            LengthUnit::Micrometre => LengthUnit::Inch,
+            LengthUnit::Inch => LengthUnit::Millimetre,
         }
     }
 
-    /// The unit of angles behind this one, and how it is offered.
-    pub(crate) fn next_angle(&self) -> (AngleUnit, &'static str) {
+    /// The unit of angles behind this one.
+    pub(crate) fn next_angle(&self) -> AngleUnit {
         match self.angle {
-            AngleUnit::Degree => (AngleUnit::Radian, say!("Angles in radians")),
-            AngleUnit::Radian => (AngleUnit::Milliradian, say!("Angles in mrad")),
-            AngleUnit::Milliradian => (AngleUnit::ArcSecond, say!("Angles in arcsec")),
-            AngleUnit::ArcSecond => (AngleUnit::Degree, say!("Angles in degrees")),
+            AngleUnit::Degree => AngleUnit::Radian,
+            AngleUnit::Radian => AngleUnit::Milliradian,
+            AngleUnit::Milliradian => AngleUnit::ArcSecond,
+            AngleUnit::ArcSecond => AngleUnit::Degree,
         }
     }
 

@@ -11,6 +11,7 @@ use crate::effects::Term;
 use crate::explain::{Block, Detail, Section, problems_of_data};
 use crate::gui::charts::effect;
 use crate::gui::style::{Palette, size, strong};
+use crate::text::capital;
 
 use crate::gui::widgets::{self, Buttons, Does, Words};
 use crate::gui::workbench::Workbench;
@@ -353,7 +354,7 @@ pub(super) fn in_the_model(
 pub(super) fn smooth_corrections(ui: &mut Ui, model: &Model) {
     for _ in model.terms().iter().filter(|t| t.curve.is_some()) {
         widgets::card(ui, |ui| {
-            ui.bold(say!("Unexplained"));
+            ui.bold(capital(say!("unexplained")));
             ui.hint(say!(
                 "A smooth curve without a name. Outside the measured range its end values are held, and nothing is known"
             ));

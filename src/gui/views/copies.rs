@@ -22,7 +22,7 @@ pub(super) fn button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
     ui.add_space(space::TIGHT);
     let id = ui.scope_id().with(("copied", of));
     let (says, name) = if is_recent(ui.ctx(), id) {
-        (say!("Copied"), say!("Copied table of {of}", of))
+        (say!("Copied"), format!("{}: {of}", say!("Copied")))
     } else {
         (say!("Copy table"), say!("Copy table of {of}", of))
     };

@@ -39,24 +39,24 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
     let units = workbench.units();
     let loaded_session = workbench.loaded_session();
     widgets::card(ui, |ui| {
-        let name = ui.weak(say!("RMS error of the nominal robot"));
+        let name = ui.weak(say!("RMS error, nominal robot"));
         widgets::explained(name, crate::gui::help::GAP);
         let rms = loaded_session.gap_before;
         let rms = rms.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
         let rms = RichText::new(rms).font(strong(size::DISPLAY));
         ui.label(rms.color(Palette::of(ui).before));
         if let Some(gap) = loaded_session.gap_before {
-            ui.fact_of(phrase!("largest deviation"), units.length(gap.max_mm));
+            ui.fact(say!("largest deviation"), units.length(gap.max_mm));
         }
         if let Some(tolerance_mm) = workbench.document().tolerance_mm {
             let (inside, all) = loaded_session.overview.lengths.within(tolerance_mm);
             let (inside, all) = (grouped(inside), grouped(all));
             let within = say!("{inside} of {all}", inside, all);
-            ui.fact_of(phrase!("within tolerance"), within);
+            ui.fact(say!("within tolerance"), within);
         }
         if let Some(floor_mm) = loaded_session.coverage.floor_mm {
             let floor = say!("{floor}, instrument", floor = units.length(floor_mm));
-            ui.fact_of(phrase!("noise floor"), floor);
+            ui.fact(say!("noise floor"), floor);
         }
         if !workbench.document().identified {
             ui.hint(say!(
@@ -72,8 +72,8 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
     widgets::card(ui, |ui| {
         let known = &loaded_session.coverage;
         let (yes, no) = (known.testable.len(), known.not_testable.len());
-        let says = say!("{yes} of {no}", yes, no = yes + no);
-        ui.fact_of(phrase!("testable effects"), says);
+        let says = say!("{inside} of {all}", inside = yes, all = yes + no);
+        ui.fact(say!("testable effects"), says);
         let can = say!("{yes} can be tested", yes);
         ui.folded(&can, |ui| {
             let names = known.testable.iter();
@@ -108,7 +108,7 @@ fn search(ui: &mut Ui) {
 /// What can be written, before there is anything to write.
 fn formats(ui: &mut Ui) {
     widgets::card(ui, |ui| {
-        ui.bold(say!("Nothing to export yet"));
+        ui.bold(say!("There is nothing to export yet"));
         ui.hint(say!(
             "The table comes from the identified robot. It will be shown here as text, with its sign convention in words, the RMS error that it leaves, and what joint commands cannot correct"
         ));

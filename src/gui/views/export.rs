@@ -1,18 +1,21 @@
 //! Step 5: what the controller needs, seen before it is saved.
 
-use egui::{DragValue, RichText, ScrollArea, Ui};
+use egui::{Button, DragValue, RichText, ScrollArea, Ui};
 
 use crate::explain::{self, Block, Detail, Exported, Section, Topic};
-use crate::export::{EXPORTERS, find};
+use crate::export::{Asked, EXPORTERS, Motors, Zeros, find};
 use crate::gui::actions;
 use crate::gui::cache::{ExportPreview, StandardsFigures};
+use crate::gui::core::disk::name_of;
 use crate::gui::core::document::ExportChoice;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{About, Step, What};
 use crate::gui::views::{blocks, copies};
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
+use crate::kinematics::DhConvention;
 use crate::language::spoken;
+use crate::text::capital;
 
 use super::blocks::in_words;
 
@@ -69,18 +72,18 @@ fn reports(ui: &mut Ui, workbench: &Workbench) {
     }
     if identified {
         let text = if measured {
-            say!("Report of the model…")
+            widgets::dots(say!("Report of the model"))
         } else {
-            say!("Report…")
+            widgets::dots(say!("Report"))
         };
         let what = What::Report(About::Model);
-        let report = ui.secondary(text);
+        let report = ui.secondary(&text);
         report.does(workbench, move |bench| bench.choose_where_to_export(what));
     }
 }
 
 fn export(ui: &mut Ui, workbench: &Workbench) {
-    let choice = workbench.document().export;
+    let choice = &workbench.document().export;
     ui.section(say!("Format"));
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
@@ -89,19 +92,24 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
             let response = ui.radio(format.id == choice.format, spoken(format.title));
             let format = format.id;
             if response.clicked() && format != choice.format {
-                let choice = ExportChoice { format, ..choice };
+                let choice = ExportChoice {
+                    format,
+                    ..choice.clone()
+                };
                 workbench.edits(move |document| document.choose_export(choice));
             }
         }
     });
     // A description of the robot is about all joints and has no steps.
     if find(choice.format).is_some_and(|format| format.rules.is_some()) {
-        ui.section(say!("Table"));
+        ui.section(&capital(say!("table")));
         joint_and_step(ui, workbench, choice);
+    } else {
+        of_the_robot(ui, workbench, choice);
     }
     match workbench.export() {
         None if workbench.is_unprepared() => {
-            ui.hint(say!("The preparation of the table was cancelled"));
+            ui.hint(capital(say!("it was cancelled")));
             let again = ui.secondary(say!("Prepare the table"));
             again.does(workbench, Workbench::prepare_again);
         }
@@ -115,14 +123,14 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
             } else {
                 // What the format cannot hold is switched off here, or left out of the fit.
                 super::gap::switches(ui, workbench);
-                let back = ui.secondary(say!("Go to identify"));
+                let back = ui.secondary(say!("Change the model"));
                 back.does(workbench, |bench| bench.view.step = Step::Identify);
             }
         }
         Some(Ok(made)) => {
             if let Some(table) = &made.export.reads_as {
                 let entries = table.forward.places().len();
-                ui.fact_of(phrase!("entries"), entries.to_string());
+                ui.fact(say!("entries"), entries.to_string());
             }
             ui.section(say!("Also"));
             let what = if made.export.reads_as.is_some() {
@@ -138,9 +146,60 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-fn joint_and_step(ui: &mut Ui, workbench: &Workbench, choice: ExportChoice) {
+/// What a description of the robot is asked for: what of the model the file takes, and what the controller does.
+fn of_the_robot(ui: &mut Ui, workbench: &Workbench, choice: &ExportChoice) {
+    let asked = Asked::by(choice.format, &workbench.loaded_session().session.robot);
+    let mut next = choice.clone();
+    if let Some(usual) = asked.zeros {
+        let offered = [
+            (Zeros::Origins, say!("origins")),
+            (Zeros::Controller, say!("controller")),
+        ];
+        ui.weak(say!("zero offsets")).on_hover_text(say!(
+            "Who takes the zero offsets of the joints of a corrected robot, the geometry of the file or the controller, never both"
+        ));
+        next.zeros = ui
+            .segmented(&offered, choice.zeros.unwrap_or(usual))
+            .or(next.zeros);
+    }
+    if let Some(usual) = asked.convention {
+        let offered = [
+            (DhConvention::Standard, say!("standard")),
+            (DhConvention::Modified, say!("modified")),
+        ];
+        ui.weak(say!("Convention of DH rows"));
+        let now = choice.convention.unwrap_or(usual);
+        next.convention = ui.segmented(&offered, now).or(next.convention);
+    }
+    if asked.motors {
+        ui.weak(say!("servos"));
+        ui.choice(
+            &Motors::ALL.map(|(name, motors)| (motors, name)),
+            &mut next.motors,
+        );
+    }
+    if asked.reference {
+        ui.weak(say!("File that the export starts from")).on_hover_text(say!(
+            "The URDF that the robot was read from, to be changed in place with its names and meshes; the motor calibration of lerobot that was active while measuring"
+        ));
+        if let Some(path) = &choice.reference {
+            let name = name_of(path);
+            let without = Button::new(format!("× {name}"));
+            if ui.named(say!("Without {name}", name), without).clicked() {
+                next.reference = None;
+            }
+        }
+        let choose = ui.secondary(say!("Choose…"));
+        choose.does(workbench, Workbench::choose_reference);
+    }
+    if next != *choice {
+        workbench.edits(move |document| document.choose_export(next));
+    }
+}
+
+fn joint_and_step(ui: &mut Ui, workbench: &Workbench, choice: &ExportChoice) {
     let joints = &workbench.loaded_session().session.robot.joints;
-    let mut next = choice;
+    let mut next = choice.clone();
     if joints.len() > 1 {
         let mut joint = choice.joint + 1;
         let field = DragValue::new(&mut joint).range(1..=joints.len());
@@ -157,7 +216,7 @@ fn joint_and_step(ui: &mut Ui, workbench: &Workbench, choice: ExportChoice) {
         let field = field.max_decimals(4).suffix(unit);
         ui.number(say!("step"), unit.trim(), field);
     }
-    if next != choice {
+    if next != *choice {
         workbench.edits(move |document| document.choose_export(next));
     }
 }
@@ -178,7 +237,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
         Some(Err(_)) => ui.hint(say!("No preview: this export is refused")),
         None if workbench.answer().is_none() => super::coverage::show(ui, workbench),
         None if workbench.is_unprepared() => {
-            ui.hint(say!("The preparation of the table was cancelled"));
+            ui.hint(capital(say!("it was cancelled")));
         }
         None => ui.hint(say!("The table is being prepared")),
     }
@@ -255,16 +314,11 @@ fn text(ui: &mut Ui, text: &str) {
 
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
-        let back = ui.primary(say!("Go to identify"));
-        return back.does(workbench, |bench| bench.view.step = Step::Identify);
+        return actions::go_on(ui, workbench, Step::Identify);
     }
     let format = find(workbench.document().export.format);
     let title = format.map_or(say!("table"), |f| f.extension);
-    let says = if format.is_some_and(|f| f.rules.is_none()) {
-        say!("Save robot as .{title}…", title)
-    } else {
-        say!("Save table as .{title}…", title)
-    };
+    let says = say!("Save as .{title}…", title);
     let ready = matches!(workbench.export(), Some(Ok(_))) || workbench.is_unprepared();
     if is_refused_for_an_arm(workbench) {
         let compensate = ui.primary(say!("Compensate…"));
@@ -300,7 +354,7 @@ fn standards(ui: &mut Ui, workbench: &Workbench) {
     widgets::card(ui, |ui| {
         ui.bold(say!("Accuracy and repeatability"));
         match workbench.figures() {
-            None => ui.hint(say!("The figures are being computed")),
+            None => ui.hint(say!("Computing…")),
             Some(Err(because)) => ui.hint(because),
             Some(Ok(made)) => tables(ui, made),
         }

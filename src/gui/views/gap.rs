@@ -28,11 +28,11 @@ use crate::gui::workbench::Workbench;
 use crate::kinematics::JointKind;
 use crate::present::names::{parameter, title_of};
 use crate::present::numbers::{significant, with_minus_signs};
-use crate::text::within;
+use crate::text::{capital, within};
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.loaded_session().is_empty() {
-        ui.hint(say!("Open a session that was measured on this robot first"));
+        ui.hint(say!("Open a session that was measured on this robot"));
         return;
     }
     ui.hint(say!(
@@ -85,7 +85,7 @@ fn under_way_here(ui: &mut Ui, workbench: &Workbench) {
     let Some(running) = workbench.searching() else {
         return;
     };
-    ui.section(say!("Diagnosing"));
+    ui.section(say!("Diagnosis is running"));
     if !actions::layout(ui.ctx(), workbench).results() {
         names(ui, &running.found());
     }
@@ -100,7 +100,7 @@ pub(super) fn switches(ui: &mut Ui, workbench: &Workbench) {
     if added.is_empty() {
         return;
     }
-    ui.section(say!("In the model"));
+    ui.section(&capital(say!("in the model")));
     for (index, one) in added.iter().enumerate() {
         let mut on = one.on;
         let name = in_words(&one.term, workbench);
@@ -128,8 +128,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
         let add = ui.primary(&blocks::add_all(missing.len()));
         add.does(workbench, move |bench| bench.edit(|d| d.add(&missing)));
     } else {
-        let on = ui.primary(say!("Continue to export"));
-        on.does(workbench, |bench| bench.view.step = Step::Export);
+        actions::go_on(ui, workbench, Step::Export);
     }
 }
 
@@ -254,7 +253,7 @@ fn buttons(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, section: &Section)
         Topic::DataProblem(index) => blocks::of_problem(ui, &d.data_problems[index], workbench),
         Topic::Unnamed => blocks::unexplained(ui, workbench, d),
         Topic::NextPoses => {
-            let save = ui.secondary(say!("Save measuring list…"));
+            let save = ui.secondary(&widgets::dots(say!("Save measuring list")));
             save.does(workbench, |bench| bench.choose_where_to_export(What::Poses));
         }
         _ => {}
@@ -365,7 +364,7 @@ fn effect_card(
     }
     // The button that stands out is the one at the foot of the step, which adds all of them.
     let term = term_of(d, &d.found[index]).into_iter().collect();
-    let says = [say!("Add to model"), say!("in the model")];
+    let says = [&capital(say!("add to model")), say!("in the model")];
     blocks::in_the_model(ui, workbench, term, says);
     ui.push_id(index, |ui| {
         ui.folded(say!("More"), |ui| blocks::show(ui, more));

@@ -1,9 +1,7 @@
 //! The bar at the top: menus, the session's name, undo and redo.
 
 use egui::containers::menu::MenuButton;
-use egui::{
-    Align, Button, FontId, Label, Layout, MenuBar, Popup, Response, RichText, ScrollArea, Ui,
-};
+use egui::{Align, Button, FontId, Label, Layout, MenuBar, Popup, RichText, ScrollArea, Ui};
 
 use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST};
 use crate::gui::core::disk::{EXAMPLES, name_of};
@@ -11,6 +9,7 @@ use crate::gui::core::loaded_session::Origin;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets::{self, Buttons, Does};
 use crate::gui::workbench::Workbench;
+use crate::text::capital;
 
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
@@ -43,7 +42,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
         // A menu bar takes all the width that it is given.
         let menus = ui.allocate_ui(egui::vec2(MENUS, ui.available_height()), |ui| {
             MenuBar::new().ui(ui, |ui| {
-                header(ui, say!("File"), |ui| file(ui, workbench));
+                header(ui, &capital(say!("file")), |ui| file(ui, workbench));
                 header(ui, say!("Edit"), |ui| edit(ui, workbench));
                 header(ui, say!("View"), |ui| view(ui, workbench));
                 header(ui, say!("Help"), |ui| help(ui, workbench));
@@ -63,18 +62,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
         let left = Layout::left_to_right(Align::Center);
         ui.allocate_ui_with_layout(egui::vec2(width, high), left, |ui| name(ui, workbench));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let redo = workbench.redoes();
-            let says = redo.map_or_else(
-                || say!("Nothing to redo").into(),
-                |w| say!("Redo {edit}", edit = w),
-            );
-            history(ui, widgets::REDO, redo.is_some(), &says).does(workbench, Workbench::redo);
-            let undo = workbench.undoes();
-            let says = undo.map_or_else(
-                || say!("Nothing to undo").into(),
-                |w| say!("Undo {edit}", edit = w),
-            );
-            history(ui, widgets::UNDO, undo.is_some(), &says).does(workbench, Workbench::undo);
+            actions::REDO.sign(ui, workbench, widgets::REDO);
+            actions::UNDO.sign(ui, workbench, widgets::UNDO);
             ui.add_space(space::ROW);
             let open = actions::layout(ui.ctx(), workbench).results();
             let says = actions::results_says(open);
@@ -93,15 +82,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     });
 }
 
-/// Back, or forth.
-fn history(ui: &mut Ui, sign: &str, enabled: bool, says: &str) -> Response {
-    let button = ui.add_enabled_ui(enabled, |ui| ui.icon_button(sign, says));
-    let button = button.inner.on_hover_text(says);
-    button.on_disabled_hover_text(says)
-}
-
 fn name(ui: &mut Ui, workbench: &Workbench) {
-    let _palette = Palette::of(ui);
     let loaded_session = workbench.loaded_session();
     let title = RichText::new(&loaded_session.session.name).font(strong(size::BODY));
     let title = ui.add(Label::new(title).truncate());

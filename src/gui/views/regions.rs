@@ -2,6 +2,7 @@
 
 use egui::{Align, Button, DragValue, Layout, RichText, Ui, vec2};
 
+use crate::gui::actions;
 use crate::gui::core::document::{Document, Method};
 use crate::gui::core::regions::Division;
 use crate::gui::core::regions::{self, Count, End, SNAP_DEG};
@@ -14,6 +15,7 @@ use crate::present::numbers::{grouped, trimmed};
 use crate::present::units::AngleUnit;
 use crate::sessions::Region;
 use crate::sessions::regions::Assignment;
+use crate::text::capital;
 use crate::units::rad_from_deg;
 
 /// Regions that are offered when there are none: the paper's number.
@@ -25,9 +27,9 @@ const MOST_EVEN: usize = 360;
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     if loaded_session.is_empty() {
-        ui.hint(say!(
-            "Regions divide what was measured: open a session that was measured on this robot"
-        ));
+        ui.hint(capital(say!(
+            "nothing was measured yet: open a session that was measured on this robot"
+        )));
         return;
     }
     division(ui, workbench);
@@ -106,14 +108,20 @@ fn evenly(ui: &mut Ui, workbench: &Workbench) {
     });
 }
 
+/// Whether regions were made or changed here, by hand.
+fn are_by_hand(workbench: &Workbench) -> bool {
+    let document = workbench.document();
+    let own = &document.loaded_session.session.regions;
+    document.division == Division::Given && own[..] != document.regions[..]
+}
+
 /// Offers the regions that the session brings along.
 fn own(ui: &mut Ui, workbench: &Workbench) {
-    let own = &workbench.loaded_session().session.regions;
-    if own.is_empty() || own[..] == workbench.document().regions[..] {
+    if workbench.loaded_session().session.regions.is_empty() || !are_by_hand(workbench) {
         return;
     }
     let button = ui.button(say!("Reset to session"));
-    let button = button.on_hover_text(say!("take the regions that the session brings along"));
+    let button = button.on_hover_text(say!("take regions from session"));
     button.does(workbench, |bench| bench.edit(Document::regions_of_session));
 }
 
@@ -141,7 +149,7 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, outside: usize) {
         let gap = format!("{} … {}", units.angle(*from), units.angle(*to));
         let more = match gaps.len() {
             1 => gap,
-            n => say!("{gap} and {n} more", gap, n = n - 1),
+            n => say!("{first} and {more} more", first = gap, more = n - 1),
         };
         let says = match outside {
             0 => say!("{more}: in no region, and no sample is there", more),
@@ -165,21 +173,24 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, outside: usize) {
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     let regional = document.identified && document.method == Method::Regional;
-    let loaded_session = workbench.loaded_session();
-    let possible = loaded_session.single_revolute()
-        && !loaded_session.is_empty()
-        && !document.regions.is_empty();
+    let possible = workbench.loaded_session().single_revolute() && !document.regions.is_empty();
+    // A diagnosis replaces what is identified by region: only to who has made regions is it the next thing.
+    let wanted = are_by_hand(workbench) && !document.identified;
     if possible && !regional {
         let says = say!("Optional: fills the next step, Identify, region by region");
         ui.hint_if_roomy(says);
-        ui.primary(say!("Identify by region"))
-            .does(workbench, move |bench| {
-                bench.identify(Some(Method::Regional));
-            });
-        return;
+        let text = say!("Identify by region");
+        let button = if wanted {
+            ui.primary(text)
+        } else {
+            ui.secondary(text)
+        };
+        button.does(workbench, |bench| bench.identify(Some(Method::Regional)));
+        if wanted {
+            return;
+        }
     }
-    ui.primary(say!("Continue to identify"))
-        .does(workbench, move |bench| bench.view.step = Step::Identify);
+    actions::go_on(ui, workbench, Step::Identify);
 }
 
 /// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.
@@ -262,15 +273,15 @@ fn more(ui: &mut Ui, regions: &[Region], k: usize, workbench: &Workbench) {
         ui.menu_button("…", |ui| {
             ui.set_min_width(180.0);
             let wide = regions::split(regions, k).is_some();
-            if item(ui, say!("Split in half"), wide, say!("it is too narrow")) {
+            if item(ui, say!("Split in half"), wide, say!("the region is too narrow to be split")) {
                 workbench.edits(move |document| document.split(k));
             }
             let first = next.map(|_| k).or(before);
-            if item(ui, merge, first.is_some(), say!("no region touches it")) {
+            if item(ui, merge, first.is_some(), say!("no region begins where this one ends; enter the end of this region as the start of the next one first")) {
                 workbench.edits(move |document| document.join(first.unwrap_or(k)));
             }
             let others = regions.len() > 1;
-            if item(ui, say!("Delete"), others, say!("the last region stays")) {
+            if item(ui, say!("Delete"), others, say!("the last region stays: without one nothing is corrected")) {
                 workbench.edits(move |document| document.delete(k));
             }
         })
@@ -353,14 +364,12 @@ fn samples(ui: &mut Ui, workbench: &Workbench, k: usize, count: Count) {
         return;
     }
     let response = ui.add_sized(room, egui::Link::new(number));
-    let says = match count.all {
-        1 => say!("Show the sample of region {region}", region = region.name),
-        n => say!(
-            "Show the {samples} of region {region}",
-            samples = say!(one "{count} sample", "{count} samples", count = grouped(n)),
-            region = region.name
-        ),
-    };
+    let samples = say!(one "{count} sample", "{count} samples", count = grouped(count.all));
+    let says = say!(
+        "Show the {samples} of region {region}",
+        samples,
+        region = region.name
+    );
     widgets::label(&response, says.clone());
     if response.on_hover_text(says).clicked() {
         let samples = samples_of(workbench, k);

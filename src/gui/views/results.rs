@@ -18,6 +18,7 @@ use crate::gui::workbench::Workbench;
 use crate::language::spoken;
 use crate::present::decision;
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
+use crate::text::capital;
 
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let side = workbench.view.side;
@@ -32,7 +33,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     }
     let sides = [
         (Side::Results, say!("Summary")),
-        (Side::Samples, say!("Samples")),
+        (Side::Samples, &capital(say!("samples"))),
     ];
     ui.row(|ui| {
         // Where there is no room for both, what is chosen says where one is.
@@ -142,21 +143,21 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             format!("{before} → {after} {unit}")
         };
         let largest = |g: &Gap| [g.before.max_mm, g.after.max_mm];
-        ui.fact_of(phrase!("largest"), from_to(&found.gap, largest));
+        ui.fact(say!("largest"), from_to(&found.gap, largest));
         if let Some(held_out) = &found.held_out {
             let rms = |g: &Gap| [g.before.rms_mm, g.after.rms_mm];
-            ui.fact_of(phrase!("held out"), from_to(held_out, rms));
+            ui.fact(say!("held out"), from_to(held_out, rms));
         }
         if let (Some((before, _)), Some((after, all))) =
             (within(workbench, false), within(workbench, true))
         {
             // What the marks show, and what the robot will do, where that is known: it may be less.
-            let with_model = (phrase!("within tolerance, with the model"), after);
+            let with_model = (say!("within tolerance, with the model"), after);
             let corrected = workbench.corrected_within();
-            let corrected = corrected.map(|n| (phrase!("within tolerance, commands corrected"), n));
+            let corrected = corrected.map(|n| (say!("within tolerance, commands corrected"), n));
             for (label, after) in std::iter::once(with_model).chain(corrected) {
                 let (before, after, all) = (grouped(before), grouped(after), grouped(all));
-                ui.fact_of(
+                ui.fact(
                     label,
                     say!("{before} → {after} of {all}", before, after, all),
                 );
@@ -194,11 +195,10 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     ui.bold(say!("Correction of each region"));
     let table = explain::corrections(results, intervals, workbench.units());
     blocks::show(ui, &[table]);
-    ui.hint(if intervals {
-        say!("What to add, ± half the 95 % interval")
-    } else {
-        say!("What to add")
-    });
+    ui.hint(say!("What to add"));
+    if intervals {
+        ui.hint(say!("± half the 95 % interval"));
+    }
     copies::button(ui, say!("regions"), || copies::regions(results));
 }
 
@@ -226,9 +226,7 @@ pub(super) fn controls(ui: &mut Ui, workbench: &Workbench) {
             given = given.file_name()
         ));
         if workbench.loaded_session().is_empty() {
-            ui.hint(say!(
-                "To identify the robot anew, open a session that was measured on it"
-            ));
+            ui.hint(say!("Open a session that was measured on this robot"));
             return;
         }
         let anew = ui.secondary(say!("Identify from this session"));
@@ -237,8 +235,8 @@ pub(super) fn controls(ui: &mut Ui, workbench: &Workbench) {
     ui.section(say!("Method"));
     if workbench.loaded_session().single_revolute() {
         let methods = [
-            (Method::Exact, say!("Full model")),
-            (Method::Regional, say!("By region")),
+            (Method::Exact, &*capital(say!("full model"))),
+            (Method::Regional, &*capital(say!("by region"))),
         ];
         if let Some(method) = ui.segmented(&methods, document.method) {
             workbench.edits(move |document| document.choose_method(method));
@@ -256,7 +254,7 @@ pub(super) fn controls(ui: &mut Ui, workbench: &Workbench) {
                 "The source paper's method: a constant correction of angle and radius for each region. It leaves out the rotation between lamp and base, so that one constant error looks different in every region; use it to compare with earlier reports"
             ));
             let n = document.regions.len();
-            ui.fact_of(phrase!("regions"), n.to_string());
+            ui.fact(say!("regions"), n.to_string());
             ui.link(say!("Change the regions"))
                 .does(workbench, move |bench| bench.view.step = Step::Regions);
         }
@@ -302,8 +300,7 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if document.loaded_model.is_none() {
         ui.hint_if_roomy(say!("Identified; the result follows every change"));
     }
-    ui.primary(say!("Continue to diagnose"))
-        .does(workbench, move |bench| bench.view.step = Step::Gap);
+    actions::go_on(ui, workbench, Step::Gap);
 }
 
 /// What there is to say about the model itself.
@@ -316,9 +313,9 @@ pub(super) fn about(
     let calibration = &answer.calibration;
     widgets::card(ui, |ui| {
         ui.bold(say!("Model from a file"));
-        ui.fact_of(phrase!("file"), &loaded.file);
-        ui.fact_of(phrase!("robot"), &calibration.model.robot.name);
-        ui.fact_of(phrase!("identified from"), &calibration.session);
+        ui.fact(say!("file"), &loaded.file);
+        ui.fact(say!("robot"), &calibration.model.robot.name);
+        ui.fact(say!("identified from"), &calibration.session);
         let joints = &calibration.model.robot.joints;
         for (joint, range) in joints.iter().zip(&calibration.measured) {
             let [from, to] = [range.from, range.to].map(|q| {
@@ -333,9 +330,9 @@ pub(super) fn about(
             ui.fact(&name, measured);
         }
         if workbench.loaded_session().is_empty() {
-            ui.hint(say!(
-                "Nothing was measured yet. Open a session that was measured on this robot, and what the model does there will be shown here"
-            ));
+            ui.hint(capital(say!(
+                "nothing was measured yet: open a session that was measured on this robot"
+            )));
         }
     });
 }

@@ -11,6 +11,7 @@ use crate::gui::views::copies;
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::judged;
 use crate::present::numbers::trimmed;
+use crate::present::units::in_unit;
 
 const ROW: f32 = 22.0;
 /// A name, and its unit below it.
@@ -152,9 +153,9 @@ fn brought(ui: &Ui, workbench: &Workbench) -> Option<(usize, Option<Align>)> {
 fn heads(header: &mut TableRow<'_, '_>, [angle, length]: [&str; 2], sorting: Sorting) -> Sorting {
     let heads = [
         say!("sample").to_owned(),
-        say!("angle, {angle}", angle),
-        say!("before, {length}", length),
-        say!("after, {length}", length),
+        in_unit(say!("angle"), angle),
+        in_unit(say!("before"), length),
+        in_unit(say!("after"), length),
         String::new(),
     ];
     let mut after = sorting;

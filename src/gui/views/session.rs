@@ -24,7 +24,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     ui.section(say!("Measured"));
     facts(ui, workbench);
     tolerance(ui, workbench, Ui::number);
-    if ui.secondary(say!("Robot and instrument…")).clicked() {
+    if ui
+        .secondary(&widgets::dots(say!("Robot and instrument")))
+        .clicked()
+    {
         let form = SetupForm::of(&workbench.loaded_session().session);
         workbench.then(move |bench| bench.show_sheet(Some(Sheet::set_up(form))));
     }
@@ -58,17 +61,17 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     let session = &loaded_session.session;
     let (units, joints) = (workbench.units(), &session.robot.joints);
-    ui.fact_of(phrase!("robot"), &session.robot.name);
+    ui.fact(say!("robot"), &session.robot.name);
     if let [joint] = joints.as_slice() {
         let (from, to) = loaded_session.travel();
         let [from, to] = [from, to].map(|q| joint_value(units, joint.kind, q));
         let says = format!("{}, {from} … {to}", joint.name);
-        ui.fact_of(phrase!("joint"), says);
+        ui.fact(say!("joint"), says);
     } else {
-        ui.fact_of(phrase!("joints"), joints.len().to_string());
+        ui.fact(say!("joints"), joints.len().to_string());
     }
     if loaded_session.is_empty() {
-        ui.fact_of(phrase!("samples"), say!("none: this is a model"));
+        ui.fact(say!("samples"), say!("none: this is a model"));
         return;
     }
     let mut samples = grouped(loaded_session.len());
@@ -80,27 +83,27 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
             samples += &format!(", {} {what}", grouped(n));
         }
     }
-    ui.fact_of(phrase!("samples"), samples);
+    ui.fact(say!("samples"), samples);
     if let Some(kinds) = &loaded_session.overview.kinds {
-        ui.fact_of(phrase!("measured"), language::spoken(kinds));
+        ui.fact(say!("measured"), language::spoken(kinds));
     }
     if session.targets.len() > 1 {
-        ui.fact_of(phrase!("reflectors"), session.targets.len().to_string());
+        ui.fact(say!("reflectors"), session.targets.len().to_string());
     }
     if !session.instrument.name.is_empty() {
-        ui.fact_of(phrase!("instrument"), &session.instrument.name);
+        ui.fact(say!("instrument"), &session.instrument.name);
     }
     let sigma = match session.instrument.sigma_mm {
         None => say!("not given").to_owned(),
         Some(Sigma::Overall(sigma)) => units.length(sigma),
         Some(Sigma::PerAxis([x, y, z])) => units.length(((x * x + y * y + z * z) / 3.0).sqrt()),
     };
-    ui.fact_of(phrase!("noise, one σ"), sigma);
+    ui.fact(say!("noise, one σ"), sigma);
     if session.samples.z_mm.is_none() {
-        ui.fact_of(phrase!("coordinates"), say!("x and y; z was not measured"));
+        ui.fact(say!("coordinates"), say!("x and y; z was not measured"));
     }
     if session.compensated_by.is_some() {
-        ui.fact_of(phrase!("compensated"), say!("yes: this shows what is left"));
+        ui.fact(say!("compensated"), say!("yes: this shows what is left"));
     }
 }
 
@@ -161,7 +164,7 @@ fn findings(ui: &mut Ui, workbench: &Workbench) {
         }
     });
     if findings.len() > MOST {
-        ui.hint(say!(in "common", "and {more} more", more = findings.len() - MOST));
+        ui.hint(say!("and {more} more", more = findings.len() - MOST));
     }
 }
 
@@ -215,13 +218,12 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     if loaded_session.origin == Origin::Bundled {
         ui.hint(say!("This is an example that comes with the program"));
     }
-    let (step, text) = if workbench.document().loaded_model.is_some() {
-        (Step::Export, say!("Continue to export"))
+    let step = if workbench.document().loaded_model.is_some() {
+        Step::Export
     } else if loaded_session.single_revolute() {
-        (Step::Regions, say!("Continue to regions"))
+        Step::Regions
     } else {
-        (Step::Identify, say!("Continue to identify"))
+        Step::Identify
     };
-    ui.primary(text)
-        .does(workbench, move |bench| bench.view.step = step);
+    actions::go_on(ui, workbench, step);
 }

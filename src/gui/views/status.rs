@@ -52,15 +52,20 @@ fn line(workbench: &Workbench) -> String {
                 .map(|left| say!("with the table {left} {unit}", left = mm(left), unit));
             table.map_or(gaps.clone(), |table| format!("{gaps} · {table}"))
         }
-        (None, Some(gap)) => say!("RMS error {rms} {unit}", rms = mm(gap.rms_mm), unit),
+        (None, Some(gap)) => say!("RMS error {gaps} {unit}", gaps = mm(gap.rms_mm), unit),
         (None, None) => say!("no sample can be used").to_owned(),
     };
     let floor = match (workbench.diagnosis(), loaded_session.coverage.floor_mm) {
-        (Some(d), _) => Some((d.floor.mm, floor_from(d.floor.from))),
-        (None, Some(mm)) => Some((mm, say!("instrument"))),
-        (None, None) => None,
+        (Some(d), _) => Some((d.floor.mm, d.floor.from)),
+        (None, floor_mm) => floor_mm.map(|mm| (mm, FloorFrom::Instrument)),
     };
     let floor = floor.map_or_else(String::new, |(floor_mm, from)| {
+        // Shorter than elsewhere: the line has to fit.
+        let from = match from {
+            FloorFrom::Repeats => say!("repeats"),
+            FloorFrom::Instrument => say!("instrument"),
+            FloorFrom::Estimated => say!("estimated"),
+        };
         let floor = say!(
             "floor {floor} {unit} ({from})",
             floor = mm(floor_mm),
@@ -72,21 +77,12 @@ fn line(workbench: &Workbench) -> String {
     format!("{samples} · {gap}{floor}")
 }
 
-/// Where a noise floor comes from, in a word.
-fn floor_from(from: FloorFrom) -> &'static str {
-    match from {
-        FloorFrom::Repeats => say!("repeats"),
-        FloorFrom::Instrument => say!("instrument"),
-        FloorFrom::Estimated => say!("estimated"),
-    }
-}
-
 /// What there is to say while nothing runs.
 fn idle(ui: &mut Ui, workbench: &Workbench) {
     if workbench.is_declined() {
         ui.small_button(say!("Identify again"))
             .does(workbench, move |bench| bench.identify(None));
-        let says = RichText::new(say!("the identification was cancelled")).size(size::NOTE);
+        let says = RichText::new(say!("it was cancelled")).size(size::NOTE);
         ui.colored_label(Palette::of(ui).warning, says);
     }
 }
@@ -286,10 +282,11 @@ fn file_that_changed(ui: &mut Ui, workbench: &Workbench) {
 /// where it is the document the user has to.
 fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path) {
     let beside = workbench.samples_file() == Some(gone);
+    let says = say!("Save it again");
     let says = if beside {
-        say!("Save it again")
+        says.to_owned()
     } else {
-        say!("Save it again…")
+        widgets::dots(says)
     };
     ui.button(says).does(workbench, move |bench| {
         if beside {

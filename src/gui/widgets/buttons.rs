@@ -30,8 +30,6 @@ pub(crate) trait Buttons {
     fn primary(&mut self, text: &str) -> Response;
     /// Something else that can be done, as wide as the panel.
     fn secondary(&mut self, text: &str) -> Response;
-    /// The same beside the one that stands out, and as high.
-    fn other(&mut self, text: &str) -> Response;
     /// One of several, side by side. The one that was clicked.
     fn segmented<T: Copy + PartialEq>(&mut self, options: &[(T, &str)], current: T) -> Option<T>;
     /// The same where a short name is shown and a longer one says what it means.
@@ -59,10 +57,6 @@ impl Buttons for Ui {
 
     fn secondary(&mut self, text: &str) -> Response {
         wide(self, text, false, 32.0)
-    }
-
-    fn other(&mut self, text: &str) -> Response {
-        wide(self, text, false, space::PRIMARY)
     }
 
     fn segmented<T: Copy + PartialEq>(&mut self, options: &[(T, &str)], current: T) -> Option<T> {
@@ -130,7 +124,7 @@ impl Buttons for Ui {
                     if k + 1 == N {
                         ui.primary(text)
                     } else {
-                        ui.other(text)
+                        wide(ui, text, false, space::PRIMARY)
                     }
                 });
                 pressed = pressed.or(button.inner.clicked().then_some(k));

@@ -7,7 +7,7 @@ use egui::{
 
 use crate::gui::help::{self, Word};
 use crate::gui::style::{Palette, size, space, strong};
-use crate::text::{Template, spoken, within};
+use crate::text::{spoken, within};
 
 /// What the window writes beside egui's own labels.
 pub(crate) trait Words {
@@ -25,8 +25,6 @@ pub(crate) trait Words {
     fn wrong(&mut self, text: &str);
     /// A name and what it is: on one line, or below each other where that is too narrow.
     fn fact(&mut self, name: &str, value: impl Into<String>);
-    /// The same of a name that is spoken here.
-    fn fact_of(&mut self, name: Template, value: impl Into<String>);
     /// What folds away below a small title.
     fn folded(&mut self, text: &str, contents: impl FnOnce(&mut Ui));
     /// A question mark that says what a word means.
@@ -91,10 +89,6 @@ impl Words for Ui {
         });
     }
 
-    fn fact_of(&mut self, name: Template, value: impl Into<String>) {
-        self.fact(spoken(name), value);
-    }
-
     fn folded(&mut self, text: &str, contents: impl FnOnce(&mut Ui)) {
         let title = RichText::new(text).small().weak();
         let header = CollapsingHeader::new(title).id_salt(text);
@@ -104,7 +98,7 @@ impl Words for Ui {
     fn question(&mut self, word: Word) {
         let palette = Palette::of(self);
         let (rect, response) = self.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
-        let says = say!("what {word} means", word = within(word.name()));
+        let says = say!("what {word} means", word = within(&word.name()));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, says.clone()));
         let painter = self.painter();
         painter.circle_stroke(rect.center(), 6.5, Stroke::new(1.0, palette.nominal));
@@ -113,6 +107,11 @@ impl Words for Ui {
         painter.text(rect.center(), centre, "?", font, palette.muted);
         explained(response, word);
     }
+}
+
+/// The name of what asks for more before it is done.
+pub(crate) fn dots(name: &str) -> String {
+    say!("{name}…", name)
 }
 
 /// Text whose lines are no longer than can be read.

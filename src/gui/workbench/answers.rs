@@ -156,7 +156,7 @@ impl Workbench {
             identified, choice, ..
         } = of;
         let same = Arc::ptr_eq(&identified.question.loaded_session, self.loaded_session())
-            && choice.is_of_the_table(self.document().export);
+            && choice.is_of_the_table(&self.document().export);
         same.then_some(made.as_ref())
     }
 
@@ -171,7 +171,7 @@ impl Workbench {
 
     /// Whether the preparation of the export was cancelled: it is not begun again by itself.
     pub(crate) fn is_unprepared(&self) -> bool {
-        let choice = self.document().export;
+        let choice = &self.document().export;
         let cancelled = self.derived.preview.declined();
         cancelled.is_some_and(|wanted| wanted.choice.is_of_the_table(choice))
     }
@@ -263,7 +263,7 @@ impl Workbench {
             };
             self.view.message = title.map(|title| {
                 let undo =
-                    say!("The diagnosis starts from the full model; undo brings the other back");
+                    say!("The diagnosis starts from the full model, which takes the place of what is identified now. Undo brings that back");
                 Message::done(title.to_owned(), vec![undo.to_owned()])
             });
             self.identify(Some(Method::Exact));
@@ -283,18 +283,15 @@ impl Workbench {
         let Some(outcome) = self.shown_outcome().filter(|_| shown) else {
             return;
         };
-        let choice = self.document().export;
-        let saved = self
-            .file_state
-            .saved_as
-            .as_ref()
-            .filter(|(of, _)| *of == choice);
+        let choice = self.document().export.clone();
+        let saved = self.file_state.saved_as.as_ref();
+        let saved = saved.filter(|(of, _)| *of == choice);
         let wanted = PreviewRequest {
             identified: outcome,
             choice,
             name: saved.map(|(_, name)| name.clone()),
         };
-        let how = (Kind::Prepares, say!("preparing the table"));
+        let how = (Kind::Prepares, say!("The table is being prepared"));
         self.derive(
             how,
             |derived| &mut derived.preview,

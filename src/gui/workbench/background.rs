@@ -83,7 +83,7 @@ impl Workbench {
         {
             self.stop_search();
             let title = say!("The diagnosis was stopped: what it was about has changed").to_owned();
-            let again = say!("Run it again for what is here now").to_owned();
+            let again = say!("Run diagnosis again").to_owned();
             self.view.message = Some(Message::done(title, vec![again]));
         }
     }
@@ -212,8 +212,7 @@ impl Workbench {
 impl Workbench {
     /// Asks for a file to open.
     pub(crate) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
-        let says = say!("waiting for a file to be chosen");
-        self.choose_near(says, ask, |bench, path| match path {
+        self.choose_near(ask, |bench, path| match path {
             Some(path) => bench.open_file(path),
             // Cancelled, or there is no dialog on this system: the two look alike.
             None => bench.view.message = Some(no_file_was_chosen()),
@@ -223,13 +222,12 @@ impl Workbench {
     /// Asks for something beside the file in hand, or the latest.
     pub(super) fn choose_near(
         &mut self,
-        what: &str,
         ask: fn(Option<&Path>) -> Option<PathBuf>,
         then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
     ) {
         let near = self.file().map(Path::to_path_buf);
         let near = near.or_else(|| Some(self.recent().next()?.clone()));
-        self.choose(what, move || ask(near.as_deref()), then);
+        self.choose(move || ask(near.as_deref()), then);
     }
 
     /// Asks where to export to: what is there now is written, whatever is open by then.
@@ -242,7 +240,7 @@ impl Workbench {
         };
         let path = self.placed(self.name_of(what).as_ref());
         let ask = move || files::choose_to_export(what, &path);
-        self.choose(say!("waiting for a file name"), ask, move |bench, path| {
+        self.choose(ask, move |bench, path| {
             if let Some(path) = path {
                 // The dialog has asked.
                 return write(bench, path, true);
@@ -254,7 +252,6 @@ impl Workbench {
     /// Waits for the system's dialog, of which there is one at a time.
     pub(super) fn choose(
         &mut self,
-        what: &str,
         ask: impl FnOnce() -> Option<PathBuf> + Send + 'static,
         then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
     ) {
@@ -263,6 +260,7 @@ impl Workbench {
         }
         let instead = self.chooser.clone();
         let ask = move || instead.map_or_else(ask, |chosen| chosen());
+        let what = say!("waiting for a file to be chosen");
         self.jobs.start(Kind::Asks, what, move |_| ask(), then);
     }
 

@@ -77,15 +77,11 @@ impl Workbench {
         let measured = self.import_draft().map(|foreign| foreign.path.clone());
         let of = measured.clone();
         let ask = move || files::choose_beside(which, measured.as_deref());
-        self.choose(
-            say!("waiting for a file to be chosen"),
-            ask,
-            move |bench, path| {
-                if bench.import_draft().map(|draft| &draft.path) == of.as_ref() {
-                    bench.take_beside(which, path);
-                }
-            },
-        );
+        self.choose(ask, move |bench, path| {
+            if bench.import_draft().map(|draft| &draft.path) == of.as_ref() {
+                bench.take_beside(which, path);
+            }
+        });
     }
 
     /// One look at a time; when it is done, the next with what was said meanwhile.

@@ -120,7 +120,7 @@ impl Workbench {
             What::Session => {
                 if self.loaded_session().is_empty() {
                     return Err([
-                        say!("There is no session to save"),
+                        say!("There is nothing to export yet"),
                         say!("A model by itself is saved in the Export step"),
                     ]);
                 }
@@ -147,7 +147,7 @@ impl Workbench {
             }
             What::Poses => {
                 let diagnosis = self.diagnosis().ok_or([
-                    say!("There is no measuring list yet"),
+                    say!("There is nothing to export yet"),
                     say!("Run the diagnosis first"),
                 ])?;
                 let robot = &self.loaded_session().session.robot;
@@ -164,17 +164,18 @@ impl Workbench {
             say!("There is nothing to export yet"),
             say!("Identify the robot first"),
         ])?;
-        let (choice, question) = (self.document().export, self.question());
+        let (choice, question) = (self.document().export.clone(), self.question());
+        let inputs = choice.reference.iter().cloned().collect();
         let wanted = PreviewRequest {
             identified,
-            choice,
+            choice: choice.clone(),
             name: None,
         };
         let make = move |path: &Path, _: &Watch| {
             Ok((writing::documents(&wanted, what, path)?, Vec::new()))
         };
         let then = move |bench: &mut Self, message| bench.take_exported(message, question, choice);
-        Ok(later(Vec::new(), make, then))
+        Ok(later(inputs, make, then))
     }
 
     /// Everything that the open session, its model and its tables stand in: no paper replaces it.
@@ -212,8 +213,8 @@ impl Workbench {
             }
             _ => {
                 return Err([
-                    say!("There is nothing to report yet"),
-                    say!("Open a session, or identify the robot first"),
+                    say!("There is nothing to export yet"),
+                    say!("Open a session that was measured on this robot"),
                 ]);
             }
         };
@@ -311,8 +312,7 @@ impl Workbench {
     /// Asks for a file of targets.
     pub(crate) fn choose_targets(&mut self) {
         let by = self.shown_outcome();
-        let says = say!("waiting for a file to be chosen");
-        self.choose_near(says, files::choose_targets, move |bench, path| match path {
+        self.choose_near(files::choose_targets, move |bench, path| match path {
             Some(path) => bench.compensate_by(by, bench.request_for(path)),
             None => bench.view.message = Some(no_file_was_chosen()),
         });
@@ -336,12 +336,23 @@ impl Workbench {
     pub(crate) fn choose_declarations(&mut self, mut wanted: CompensationRequest) {
         let program = wanted.path.clone();
         let ask = move || files::choose_declarations(&program);
-        let says = say!("waiting for a file to be chosen");
-        self.choose(says, ask, move |bench, path| {
+        self.choose(ask, move |bench, path| {
             if let Some(path) = path.filter(|path| !wanted.with.contains(path)) {
                 wanted.with.push(path);
                 bench.compensate(wanted);
             }
+        });
+    }
+
+    /// Asks for a file that the export starts from.
+    pub(crate) fn choose_reference(&mut self) {
+        self.choose_near(files::choose_reference, |bench, path| {
+            let reference = path.or_else(|| bench.document().export.reference.clone());
+            let choice = ExportChoice {
+                reference,
+                ..bench.document().export.clone()
+            };
+            bench.edit(|document| document.choose_export(choice));
         });
     }
 
@@ -357,8 +368,8 @@ impl Workbench {
     ) {
         let Some(outcome) = by else {
             return self.complain(
-                say!("There is no model to correct targets by"),
-                [say!("Identify the robot first, or open a model")],
+                say!("The targets were not corrected"),
+                [say!("Identify the robot first")],
             );
         };
         // What is typed is within the field's range; a command need not be.
@@ -383,7 +394,7 @@ impl Workbench {
                     return bench.is_of_another(say!("The targets were not corrected"));
                 }
                 bench.derived.compensated = Some(Arc::new(compensated));
-                bench.view.sheet = Some(Sheet::COMPENSATION);
+                bench.view.sheet = Some(Sheet::Compensation);
             },
         );
     }
@@ -391,7 +402,7 @@ impl Workbench {
     /// The corrected targets, and what was changed beside them.
     fn targets(&self) -> Result<Write, [&'static str; 2]> {
         let compensated = self.derived.compensated.clone().ok_or([
-            say!("There are no corrected targets yet"),
+            say!("There is nothing to export yet"),
             say!("Choose a table of targets or a robot program first"),
         ])?;
         let mut inputs = self.inputs();

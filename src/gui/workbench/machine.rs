@@ -68,8 +68,7 @@ impl Workbench {
     /// Asks for a picture.
     pub(crate) fn choose_logo(&mut self) {
         let of = self.loaded_session().lineage;
-        let says = say!("waiting for a file to be chosen");
-        self.choose_near(says, files::choose_logo, move |bench, path| {
+        self.choose_near(files::choose_logo, move |bench, path| {
             if let Some(path) = path.filter(|_| bench.loaded_session().lineage == of) {
                 let logo = path.display().to_string();
                 bench.state(Stated {

@@ -131,7 +131,7 @@ impl Workbench {
             chooser: None,
             jobs,
         };
-        workbench.stands_at(None, Vec::new(), None);
+        workbench.stands_in(Vec::new());
         workbench.look_along_the_axis();
         workbench
     }
@@ -140,13 +140,11 @@ impl Workbench {
 /// Where an opening stands on the disk.
 #[derive(Debug, Clone)]
 pub(super) struct Place {
-    /// `None`: it needs no file, being an example or a model.
-    pub(super) path: Option<PathBuf>,
     /// The content that the file had when it was read or written.
     pub(super) document: Arc<Document>,
-    /// As they looked when they were last read or written.
+    /// Its files as they looked when they were last read or written: the document, and the samples where they are in one.
+    /// None: it needs no file, being an example or a model.
     pub(super) files: Vec<Fingerprint>,
-    pub(super) samples: Option<PathBuf>,
 }
 
 /// Files: where openings stand on the disk, what changed there, and what outlives the window.
@@ -293,7 +291,7 @@ impl Workbench {
                 _ => {}
             }
         }
-        if self.view.sheet == Some(Sheet::DETAILS) {
+        if self.view.sheet == Some(Sheet::Details) {
             self.keep_stated();
         }
         self.view.sheet = sheet;

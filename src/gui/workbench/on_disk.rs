@@ -66,7 +66,7 @@ impl Workbench {
 
     /// The file that the session stands in.
     pub(crate) fn file(&self) -> Option<&Path> {
-        self.place()?.path.as_deref()
+        Some(&self.place()?.files.first()?.path)
     }
 
     /// The folder where new files of what is open belong: beside its own file, or beside the one
@@ -114,25 +114,16 @@ impl Workbench {
 
     /// The file with its samples, if they are in one.
     pub(crate) fn samples_file(&self) -> Option<&Path> {
-        self.place().and_then(|place| place.samples.as_deref())
+        Some(&self.place()?.files.get(1)?.path)
     }
 
     /// What is open stands in these files, or needs none.
-    pub(super) fn stands_at(
-        &mut self,
-        path: Option<PathBuf>,
-        files: Vec<Fingerprint>,
-        samples: Option<PathBuf>,
-    ) {
+    pub(super) fn stands_in(&mut self, files: Vec<Fingerprint>) {
         let document = Arc::clone(self.history.present());
         let lineage = document.loaded_session.lineage;
-        let place = Place {
-            path,
-            document,
-            files,
-            samples,
-        };
-        self.file_state.places.insert(lineage, place);
+        self.file_state
+            .places
+            .insert(lineage, Place { document, files });
     }
 
     /// A session or a model was opened.
@@ -140,11 +131,10 @@ impl Workbench {
         let loaded_session = Arc::clone(self.loaded_session());
         match &loaded_session.origin {
             Origin::File(path) => {
-                let (files, samples) = (&loaded_session.files, &loaded_session.samples_file);
-                self.stands_at(Some(path.clone()), files.clone(), samples.clone());
+                self.stands_in(loaded_session.files.clone());
                 self.use_recent(path.clone());
             }
-            Origin::Bundled | Origin::Model(_) => self.stands_at(None, Vec::new(), None),
+            Origin::Bundled | Origin::Model(_) => self.stands_in(Vec::new()),
             Origin::Simulated | Origin::Recovered(_) | Origin::Imported(_) => {}
         }
         self.arrived();
@@ -154,7 +144,7 @@ impl Workbench {
     pub(super) fn arrived(&mut self) {
         self.derived.compensated = None;
         self.file_state.saved_as = None;
-        if let Some(Sheet::Path { .. } | Sheet::COMPENSATION) = self.view.sheet {
+        if let Some(Sheet::Path { .. } | Sheet::Compensation) = self.view.sheet {
             self.view.sheet = None;
             self.cancel_pending_action();
         }
@@ -181,10 +171,9 @@ impl Workbench {
     /// Reads the session's file again. Undo brings back what was here.
     pub(crate) fn reload(&mut self) {
         self.view.on_disk = None;
-        let Some((path, files)) = self
-            .place()
-            .and_then(|place| Some((place.path.clone()?, place.files.clone())))
-        else {
+        let files = self.place().map(|place| place.files.clone());
+        let files = files.unwrap_or_default();
+        let Some(path) = files.first().map(|file| file.path.clone()) else {
             return;
         };
         self.file_state.then = None;

@@ -429,7 +429,7 @@ fn the_figures_of_one_format_do_not_stand_under_the_name_of_another() {
     workbench.receive();
     assert!(workbench.export().is_some_and(|made| made.is_ok()));
     workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
-    let choice = workbench.document().export;
+    let choice = workbench.document().export.clone();
     let mut others = EXPORTERS.iter().filter(|other| other.id != choice.format);
     let format = others.next().expect("there are several").id;
     workbench.execute(|bench| bench.edit(|d| d.choose_export(ExportChoice { format, ..choice })));

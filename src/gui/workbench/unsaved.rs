@@ -113,7 +113,7 @@ impl Workbench {
         }
         // Beside targets that are shown, others may be dropped.
         let sheet = self.view.sheet.as_ref();
-        let form = sheet.filter(|sheet| **sheet != Sheet::COMPENSATION);
+        let form = sheet.filter(|sheet| **sheet != Sheet::Compensation);
         if form.is_some_and(Sheet::holds_entries) {
             return self.complain(
                 say!("What was dropped is not opened over a form"),
@@ -228,14 +228,10 @@ impl Workbench {
                 self.view.message = Some(message);
             }
             Ok(prints) => {
-                let samples = prints.get(1).map(|print| print.path.clone());
-
                 let lineage = document.loaded_session.lineage;
                 let place = Place {
-                    path: Some(path.clone()),
                     document,
                     files: prints,
-                    samples,
                 };
                 self.file_state.places.insert(lineage, place);
                 self.forget_looks();
@@ -307,7 +303,7 @@ impl Workbench {
                 Some(Ok(left)) => {
                     bench.file_state.left_behind = Some(left);
                     if bench.view.sheet.is_none() {
-                        bench.view.sheet = Some(Sheet::RECOVERY);
+                        bench.view.sheet = Some(Sheet::Recovery);
                     }
                 }
                 Some(Err((aside, because))) => {

@@ -7,8 +7,8 @@ use super::model::{Dial, Shown};
 use crate::gui::core::overview::{FEW, round_down};
 use crate::text::{Template, filled};
 
-/// Sectors reach from the path's inside to its outside, in parts of the radius.
-pub(crate) const SECTOR: (f64, f64) = (0.0, 1.10);
+/// Sectors reach so far beyond the path, in parts of the radius.
+pub(crate) const SECTOR: f64 = 1.10;
 /// Boundaries' handles and region names stand outside it.
 pub(crate) const HANDLE: f64 = 1.17;
 /// Room for the handles.
@@ -57,24 +57,14 @@ pub(crate) fn fitted([low, high]: [[f64; 2]; 2], size: [f64; 2]) -> f64 {
     f64::min(side(0), side(1))
 }
 
-/// The corners of a sector as quadrilaterals, mm.
-pub(crate) fn sector(dial: &Dial, from_rad: f64, to_rad: f64) -> Vec<[[f64; 2]; 4]> {
+/// Points along the outer edge of a sector, mm.
+pub(crate) fn edge(dial: &Dial, from_rad: f64, to_rad: f64) -> impl Iterator<Item = [f64; 2]> {
     let pieces = ((to_rad - from_rad).abs() / CHORD_RAD)
         .ceil()
         .clamp(1.0, 400.0);
-    let at = |k: f64| from_rad + (to_rad - from_rad) * k / pieces;
-    let (inner, outer) = (SECTOR.0 * dial.radius_mm, SECTOR.1 * dial.radius_mm);
-    (0..crate::numeric::whole(pieces))
-        .map(|k| {
-            let (a, b) = (at(k as f64), at(k as f64 + 1.0));
-            [
-                dial.at(a, inner),
-                dial.at(a, outer),
-                dial.at(b, outer),
-                dial.at(b, inner),
-            ]
-        })
-        .collect()
+    let at = move |k: usize| from_rad + (to_rad - from_rad) * k as f64 / pieces;
+    let outer = SECTOR * dial.radius_mm;
+    (0..=crate::numeric::whole(pieces)).map(move |k| dial.at(at(k), outer))
 }
 
 /// The scale's arrow: the deviation that it stands for, mm, such that it is drawn at most
@@ -236,15 +226,14 @@ mod tests {
     }
 
     #[test]
-    fn a_sector_is_cut_into_pieces_that_cover_it() {
+    fn the_edge_of_a_sector_goes_from_end_to_end() {
         let shown = Shown::of(&workbench());
         let dial = shown.dial.expect("it turns");
-        let pieces = sector(&dial, -0.4, 0.6);
-        let first = pieces.first().expect("at least one");
-        let last = pieces.last().expect("at least one");
-        assert_eq!(first[1], dial.at(-0.4, SECTOR.1 * dial.radius_mm));
-        let end = dial.at(0.6, SECTOR.1 * dial.radius_mm);
-        assert!((last[2][0] - end[0]).abs() < 1e-9);
+        let points: Vec<_> = edge(&dial, -0.4, 0.6).collect();
+        assert_eq!(points[0], dial.at(-0.4, SECTOR * dial.radius_mm));
+        let end = dial.at(0.6, SECTOR * dial.radius_mm);
+        let last = points.last().expect("at least two");
+        assert!((last[0] - end[0]).abs() < 1e-9);
     }
 
     fn transform(scale: f64) -> PlotTransform {

@@ -63,24 +63,25 @@ fn sectors(pen: &mut Pen<'_>, dial: &Dial, regions: &[Region], editing: bool, ca
     // All of them together, without soft edges: neighbouring pieces leave no seams.
     let mut mesh = Mesh::default();
     for (place, region) in order.into_iter().map(|k| &regions[k]).enumerate() {
-        for corners in fitting::sector(dial, region.from_rad, region.to_rad) {
-            let first = u32::try_from(mesh.vertices.len()).unwrap_or(u32::MAX);
-            for corner in corners {
-                mesh.colored_vertex(camera.at_flat(corner), pen.palette.sectors[place % 2]);
+        let color = pen.palette.sectors[place % 2];
+        let centre = u32::try_from(mesh.vertices.len()).unwrap_or(u32::MAX);
+        mesh.colored_vertex(camera.at_flat(dial.centre_mm), color);
+        for (point, k) in fitting::edge(dial, region.from_rad, region.to_rad).zip(1..) {
+            mesh.colored_vertex(camera.at_flat(point), color);
+            if k > 1 {
+                mesh.add_triangle(centre, centre + k - 1, centre + k);
             }
-            mesh.add_triangle(first, first + 1, first + 2);
-            mesh.add_triangle(first, first + 2, first + 3);
         }
     }
     pen.shapes.push(Shape::mesh(mesh));
     let (end, stroke) = if editing {
         (HANDLE, Stroke::new(1.5, pen.palette.accent))
     } else {
-        (SECTOR.1, Stroke::new(1.0, pen.palette.line))
+        (SECTOR, Stroke::new(1.0, pen.palette.line))
     };
     for angle in regions.iter().flat_map(|r| [r.from_rad, r.to_rad]) {
         let at = |part: f64| camera.at_flat(dial.at(angle, part * dial.radius_mm));
-        pen.line([SECTOR.0, end].map(at), stroke);
+        pen.line([0.0, end].map(at), stroke);
     }
 }
 

@@ -224,6 +224,7 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
                     .random::<bool>()
                     .then(|| random.random_range(-1.0..10.0)),
                 joint: random.random_range(0..2),
+                ..ExportChoice::usual(&loaded_session.session.robot)
             },
             |bench, it| bench.edit(|d| d.choose_export(it)),
         ),
@@ -356,10 +357,10 @@ fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Optio
         3 => Sheet::Unsaved(then(random, files)),
         4 => Sheet::Overwrite(files.any(random)),
         5 => Sheet::Import(any_instrument_file(random, files, workbench)),
-        6 => Sheet::RECOVERY,
-        7 => Sheet::Named("preferences"),
-        8 => Sheet::Named("none of this name"),
-        9 => Sheet::ROBOTS,
+        6 => Sheet::Recovery,
+        7 => Sheet::Preferences,
+        8 => Sheet::About,
+        9 => Sheet::Robots,
         10 => Sheet::set_up(SetupForm {
             robot: typed_robot(random),
             measured: None,

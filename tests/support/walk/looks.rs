@@ -124,7 +124,7 @@ pub(super) fn seen(random: &mut ChaCha8Rng, workbench: &Workbench, at: i32) -> D
 pub(super) fn record(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Deed {
     match random.random_range(0..4) {
         0 | 1 => deed("Sheet", (), |bench, ()| {
-            bench.show_sheet(Some(Sheet::DETAILS));
+            bench.show_sheet(Some(Sheet::Details));
         }),
 
         _ => deed("State", stated(random, workbench, files), |bench, it| {

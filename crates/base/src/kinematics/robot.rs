@@ -236,6 +236,16 @@ impl Robot {
         self.joints.len()
     }
 
+    /// Values of joints in degrees or mm, in rad or mm. Too many or too few are left for others to tell.
+    pub fn in_base_units(&self, values: &[f64]) -> Vec<f64> {
+        let kinds = self.joints.iter().map(|joint| Some(joint.kind));
+        let kinds = kinds.chain(std::iter::repeat(None));
+        let value = |(value, kind): (&f64, Option<JointKind>)| {
+            kind.map_or(*value, |kind| kind.to_base_units(*value))
+        };
+        values.iter().zip(kinds).map(value).collect()
+    }
+
     /// Which of these joints have a drive of their own.
     pub fn leading(&self, joints: &[usize]) -> Vec<usize> {
         let leads = |joint: &usize| {

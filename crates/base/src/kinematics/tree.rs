@@ -213,7 +213,7 @@ impl Tree {
                 let named = names.filter(|name| !name.is_empty());
                 self.refuse(
                     self.called.lacking(name, is_base),
-                    text!("one of {named}", named = listed(named)),
+                    text!("one of {names}", names = listed(named)),
                 )
             })
         });

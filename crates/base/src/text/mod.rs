@@ -138,7 +138,7 @@ pub use quantity::{InUnits, current_units};
 pub use sentence::{angle, components, entered, length, lengths, small_angle};
 pub use speech::{
     ByTitles, by_titles, capital, characters, choose, current, filled, known_in, name_by_titles,
-    phrases_in, spoken, stretch, within,
+    spoken, stretch, within,
 };
 
 /// Every template of the program: a list only where debug assertions are on.

@@ -173,7 +173,7 @@ pub fn known_in(
 
 /// What the catalogues have in this context, in English.
 #[doc(hidden)]
-pub fn phrases_in(context: &str) -> impl Iterator<Item = &'static str> {
+fn phrases_in(context: &str) -> impl Iterator<Item = &'static str> {
     catalogue(Language::German).in_context(context)
 }
 

@@ -6,6 +6,7 @@ use crate::fit::{Estimate, Identification, Noise};
 use crate::language::spoken;
 use crate::present::identification_v1::worst_pose;
 use crate::present::kinds;
+use crate::text::capital;
 
 /// The whole answer, in the order in which it is read.
 #[doc(hidden)]
@@ -127,7 +128,7 @@ fn figures(d: &Diagnosis, detail: Detail) -> Vec<Fact> {
         detail.length(d.floor.mm),
         floor_from(d.floor.from)
     );
-    facts.push(fact(say!("Noise floor"), floor));
+    facts.push(fact(capital(say!("noise floor")), floor));
     facts.extend(noise(d));
     facts.push(fact(say!("Cross-validation"), cleaned(&d.held_out.how)));
     facts

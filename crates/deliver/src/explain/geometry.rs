@@ -7,6 +7,7 @@ use crate::fit::Estimate;
 use crate::present::names::{parameter, word};
 use crate::present::numbers::{decimals_of, rounded, with_minus_signs};
 use crate::present::table::{Column, Table};
+use crate::text::within;
 use crate::units::rad_from_deg;
 
 /// The parameters of a joint's row. A joint that slides has its zero in mm.
@@ -108,10 +109,10 @@ fn place(estimate: &Estimate) -> Option<String> {
     Some(
         match (role(estimate.effect), &estimate.setup, &estimate.target) {
             (Role::FreeFrame, Some(setup), _) => say!("measuring frame, setup {setup}", setup),
-            (Role::FreeFrame, None, _) => say!("measuring frame").to_owned(),
+            (Role::FreeFrame, None, _) => within(say!("Measuring frame")).into_owned(),
             (Role::ToolPlace, _, Some(target)) => say!("target {target}", target),
-            (Role::ToolPlace, _, None) => say!("tool position").to_owned(),
-            (Role::ToolTurn, ..) => say!("tool orientation").to_owned(),
+            (Role::ToolPlace, _, None) => within(say!("Tool position")).into_owned(),
+            (Role::ToolTurn, ..) => within(say!("Tool orientation")).into_owned(),
             (Role::Place, ..) => format!(
                 "{} {}",
                 word(estimate.effect.trim_start_matches("unknown-")),

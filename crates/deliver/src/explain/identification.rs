@@ -42,7 +42,6 @@ pub fn identification(
         let blocks = values(&answer.parameters, &session.robot, detail);
         sections.push(Section::new(say!("Identified parameters"), blocks));
     }
-    sections.extend(levels(answer));
     if !answer.regions.is_empty() {
         let table = Block::Table(regions(&answer.regions));
         let title = say!("Correction of each region");
@@ -152,7 +151,7 @@ pub fn problems_of_data(problems: &[DataProblem], detail: Detail) -> Vec<Section
     open::data_problems(problems)
 }
 
-/// What the samples do not determine, the noise, notes, and samples that do not count.
+/// What each level of correction would bring, what the samples do not determine, the noise, notes, and samples that do not count.
 #[doc(hidden)]
 pub fn remarks_on_fit(answer: &Identification, session: &Session, detail: Detail) -> Vec<Section> {
     let _speaking = detail.speaking();
@@ -160,6 +159,7 @@ pub fn remarks_on_fit(answer: &Identification, session: &Session, detail: Detail
         open::not_identifiable(&answer.not_identifiable, detail, open::MOST_COMBINATIONS);
     let outliers = open::outliers(answer, detail);
     let all = [
+        levels(answer),
         not_identifiable,
         notes(answer, session, detail),
         outliers,

@@ -6,7 +6,7 @@ use crate::compensation::Remainder;
 use crate::export::Export;
 use crate::fit::gap::Spread;
 use crate::present::numbers::with_minus_signs;
-use crate::text::Text;
+use crate::text::{Text, capital};
 
 /// An export with what it is held against.
 #[derive(Debug, Clone, Copy)]
@@ -89,16 +89,17 @@ fn leaves(of: &Exported<'_>, detail: Detail) -> Option<Section> {
                 say!("The predicted residual exceeds the measured one: the model does not fit");
             blocks.push(Block::Warning(says.to_owned()));
         }
-        if describes {
+        let title = if describes {
             say!("RMS error with this robot")
         } else {
             say!("RMS error left by the table")
-        }
+        };
+        title.to_owned()
     } else {
         let left = detail.length(cannot?.rms_mm);
         let own = fact(say!("not correctable by joint commands"), left);
         blocks.push(Block::Facts(vec![own]));
-        say!("Not correctable by joint commands")
+        capital(say!("not correctable by joint commands"))
     };
     if let Some(remainder) = cannot {
         // Its sum, which stands above, comes first.

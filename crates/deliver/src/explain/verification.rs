@@ -63,7 +63,7 @@ fn corrected(v: &Verification, detail: Detail) -> Vec<Fact> {
             all = grouped(within.of),
             after = grouped(within.after)
         );
-        facts.push(fact(say!("within the tolerance"), sentence));
+        facts.push(fact(say!("within tolerance"), sentence));
     }
     if let Some(compensated) = &v.compensated {
         let sentence = say!(

@@ -115,7 +115,7 @@ fn parallels(robot: &Robot) -> Vec<Text> {
         .collect()
 }
 
-fn came_in(robot: &Robot) -> DhConvention {
+pub(super) fn came_in(robot: &Robot) -> DhConvention {
     match &robot.source {
         RobotSource::Dh { rows, .. } => rows
             .first()

@@ -46,7 +46,7 @@ pub use dh_rows::nominal_rows;
 pub use exporter::{Document, Export, Exporter, Format};
 pub use job::{ExportError, Job};
 pub use lerobot::lerobot_calibration;
-pub use options::{Motors, Options, Reference, Zeros};
+pub use options::{Asked, Motors, Options, Reference, Zeros};
 pub use read_back::{ReadBack, gap_left, gap_to, gap_without};
 pub use residual_error::{Allowance, ResidualError};
 pub use rules::{Directions, EntryMeaning, Rules, Spacing};

@@ -1,6 +1,8 @@
 //! What an export of a corrected robot may be asked for beside its format.
 
-use crate::kinematics::DhConvention;
+use crate::kinematics::{DhConvention, Robot};
+
+use super::dh::came_in;
 
 named! {
     /// Who takes the zero offsets of the joints. Never both: they would be corrected twice.
@@ -45,6 +47,35 @@ pub struct Reference<'a> {
     pub name: &'a str,
     /// Its content.
     pub bytes: &'a [u8],
+}
+
+/// What a format asks for, each with what it takes where nothing is said.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Asked {
+    /// Who takes the zero offsets.
+    pub zeros: Option<Zeros>,
+    /// Convention of Denavit–Hartenberg rows.
+    pub convention: Option<DhConvention>,
+    /// The servos.
+    pub motors: bool,
+    /// A file that it starts from.
+    pub reference: bool,
+}
+
+impl Asked {
+    /// By a format for this robot.
+    pub fn by(format: &str, robot: &Robot) -> Self {
+        Self {
+            zeros: match format {
+                "dh" | "mjcf" | "urdf" | "ur-kinematics" => Some(Zeros::default()),
+                "lerobot" => Some(Zeros::Controller),
+                _ => None,
+            },
+            convention: (format == "dh").then(|| came_in(robot)),
+            motors: format == "lerobot",
+            reference: ["lerobot", "urdf"].contains(&format),
+        }
+    }
 }
 
 /// Options of an export of a robot's description.

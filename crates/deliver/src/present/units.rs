@@ -176,6 +176,12 @@ pub fn typed_in(text: &str, usual: &str, into: &str) -> Result<f64, String> {
     }
 }
 
+/// A quantity with its unit, at the head of a column or beside an axis.
+#[doc(hidden)]
+pub fn in_unit(quantity: &str, unit: &str) -> String {
+    say!("{quantity}, {unit}", quantity, unit)
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::numbers::{Notation, write_numbers};

@@ -4,6 +4,7 @@ use nalgebra::{Point3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 use crate::kinematics::Pose;
 use crate::kinematics::inverse::Goal;
+use crate::text::Text;
 
 use super::number::Number;
 
@@ -23,6 +24,39 @@ pub enum Orientation {
 }
 
 impl Orientation {
+    /// A position in mm and, perhaps, an orientation in a language's numbers or as a quaternion; `option` is where
+    /// they were stated.
+    ///
+    /// # Errors
+    /// What is wrong with the numbers.
+    pub fn stated(self, option: &str, numbers: &[f64]) -> Result<Pose, Text> {
+        let wrong = |found: Text| {
+            let expected =
+                text!("X,Y,Z or X,Y,Z and three angles or a quaternion, all numbers finite");
+            text!(
+                "{option}: {found}; expected {expected}",
+                option,
+                found,
+                expected
+            )
+        };
+        if !numbers.iter().all(|number| number.is_finite()) {
+            return Err(wrong(text!("a number that is not finite")));
+        }
+        let (at, turn) = match numbers {
+            [x, y, z] => ([*x, *y, *z], &[0.0; 3][..]),
+            [x, y, z, turn @ ..] if matches!(turn.len(), 3 | 4) => ([*x, *y, *z], turn),
+            _ => {
+                return Err(wrong(
+                    text!(one "{count} number", "{count} numbers", count = numbers.len()),
+                ));
+            }
+        };
+        let turn = self.read(turn);
+        let turn = turn.ok_or_else(|| wrong(text!("zero length")))?;
+        Ok(Pose::from_parts(at.into(), turn))
+    }
+
     /// The orientation that three numbers (angles) or four (a quaternion) mean; `None` of another count, or
     /// of a quaternion without length. Three numbers of a language that writes quaternions are
     /// `R_z(A) R_y(B) R_x(C)` in degrees.

@@ -12,7 +12,7 @@ use crate::present::numbers::{plain, short};
 
 /// The robot's facts.
 pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, String)> {
-    let mut facts = vec![fact(say!("Robot"), or_unnamed(&robot.name))];
+    let mut facts = vec![fact(capital(say!("robot")), or_unnamed(&robot.name))];
     for (k, joint) in robot.joints.iter().enumerate() {
         let kind = match joint.kind {
             JointKind::Revolute => say!("turns"),
@@ -146,7 +146,7 @@ pub(super) fn foot(subject: &str, samples_hash: &str) -> String {
 
 pub(super) fn tolerance(tolerance_mm: Option<f64>) -> (String, String) {
     fact(
-        say!("Tolerance"),
+        capital(say!("tolerance")),
         tolerance_mm.map_or_else(
             || say!("not stated").to_owned(),
             |mm| format!("{} mm", short(mm)),

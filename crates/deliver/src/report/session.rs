@@ -216,7 +216,7 @@ impl ReportContext<'_> {
                 figure(say!("RMS error, model"), mm(d.gap.end_mm), unseen)
             },
             figure(
-                say!("Noise floor"),
+                &capital(say!("noise floor")),
                 mm(d.floor.mm),
                 explain::floor_from(d.floor.from).to_owned(),
             ),
@@ -256,7 +256,7 @@ impl ReportContext<'_> {
         }
         let inputs = Inputs::new(s, JointValues::Commanded);
         facts.extend(robot_facts(self.robot(), &measured_ranges(&inputs)));
-        facts.push(fact(say!("Instrument"), instrument(&s.instrument)));
+        facts.push(fact(capital(say!("instrument")), instrument(&s.instrument)));
         let targets: Vec<String> = s
             .targets
             .iter()
@@ -267,8 +267,11 @@ impl ReportContext<'_> {
                 format!("{} ({at}) mm", clean(&t.name))
             })
             .collect();
-        facts.push(fact(say!("Reflectors in the tool"), targets.join("; ")));
-        facts.push(fact(say!("Samples"), self.samples()));
+        facts.push(fact(
+            say!("Reflectors in the tool frame"),
+            targets.join("; "),
+        ));
+        facts.push(fact(capital(say!("samples")), self.samples()));
         if let Some(measured) = s.kinds_in_words().map(spoken) {
             facts.push(fact(say!("Measured"), measured));
         }

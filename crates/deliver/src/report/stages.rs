@@ -55,13 +55,13 @@ pub fn stages(
             }
         }
         more.push(Stage {
-            name: say!("With corrected commands").to_owned(),
+            name: capital(say!("with corrected commands")),
             role: ColourRole::Corrected,
             deviations: corrected,
         });
     }
     more.push(Stage {
-        name: say!(in "chart-word", "Model residuals").to_owned(),
+        name: say!("Model residuals").to_owned(),
         role: ColourRole::After,
         deviations: verification.after.clone(),
     });

@@ -8,6 +8,7 @@ use crate::gui::import_draft::ImportDraft;
 use crate::gui::style::{Palette, size, strong};
 use crate::gui::widgets::{self, Words};
 use crate::importers::{ColumnGuess, Importer, Known, Meanings};
+use crate::present::units::in_unit;
 
 /// Rows that are shown.
 const ROWS: usize = 5;
@@ -15,20 +16,12 @@ const ROWS: usize = 5;
 const JOINTS: usize = 6;
 
 /// A meaning: the word for it and what a person calls it.
-struct Meaning {
-    word: String,
-    text: String,
-}
+type Meaning = (String, String);
 
 /// Every meaning that a column of such a file can have.
 fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
     let mut all = Vec::new();
-    let mut add = |word: &str, text: &str| {
-        all.push(Meaning {
-            word: word.to_owned(),
-            text: text.to_owned(),
-        });
-    };
+    let mut add = |word: &str, text: &str| all.push((word.to_owned(), text.to_owned()));
     add("-", say!("not imported"));
     if let Some(Meanings::Own(words)) = kind.map(|importer| importer.asks.columns) {
         for (word, text) in words {
@@ -59,8 +52,8 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
         let text = say!("speed of joint {n}, °/s", n);
         add(&format!("speed{n}_deg_s"), &text);
     }
-    add("load_kg", say!("load, kg"));
-    add("temperature_c", say!("temperature, °C"));
+    add("load_kg", &in_unit(say!("load"), "kg"));
+    add("temperature_c", &in_unit(say!("temperature"), "°C"));
     add("time_s", say!("time, s"));
     add("setup", say!("setup of the instrument"));
     add("use", say!("fit, held-out or excluded"));
@@ -151,10 +144,10 @@ fn table(ui: &mut Ui, now: &ImportDraft, offered: &[Meaning]) -> Option<(usize, 
             .min_row_height(18.0);
         grid.spacing([10.0, 4.0]).show(ui, |ui| {
             for (k, guess) in found.columns.iter().enumerate() {
-                let meaning = offered.iter().find(|m| m.word == guess.meaning);
+                let meaning = offered.iter().find(|(word, _)| *word == guess.meaning);
                 let text = match (guess.meaning.as_str(), meaning) {
                     ("" | "-", _) => say!("not imported"),
-                    (_, Some(meaning)) => &meaning.text,
+                    (_, Some((_, text))) => text,
                     (other, None) => other,
                 };
                 if fixed {
@@ -164,7 +157,7 @@ fn table(ui: &mut Ui, now: &ImportDraft, offered: &[Meaning]) -> Option<(usize, 
                 let list = ComboBox::from_id_salt(("meaning", k)).selected_text(text);
                 let list = list.width(118.0).height(320.0);
                 let label = say!("Meaning of column {k}", k = k + 1);
-                let offered = offered.iter().map(|one| (one.word.as_str(), &one.text));
+                let offered = offered.iter().map(|(word, text)| (word.as_str(), text));
                 let chosen = widgets::list(ui, label, list, offered, guess.meaning.as_str());
                 if let Some(word) = chosen {
                     changed = Some((k, word.to_owned()));
@@ -209,7 +202,7 @@ mod tests {
         for meaning in meanings(find("csv"), 3) {
             let reading = Reading {
                 kind: find("csv"),
-                columns: vec![meaning.word.clone()],
+                columns: vec![meaning.0.clone()],
                 ..Reading::default()
             };
             let found = inspect(b"1 2 3 4\n5 6 7 8\n", &reading);
@@ -219,9 +212,9 @@ mod tests {
             assert!(
                 found.findings.iter().find(unknown).is_none(),
                 "{}",
-                meaning.word
+                meaning.0
             );
-            assert_eq!(found.columns[0].meaning, meaning.word);
+            assert_eq!(found.columns[0].meaning, meaning.0);
         }
     }
 

@@ -13,7 +13,7 @@ use crate::diagnostic::Severity;
 use crate::kinematics::{JointKind, Robot};
 use crate::language;
 use crate::present::units::Units;
-use crate::text::{length, spoken};
+use crate::text::{capital, length, spoken};
 
 use crate::gui::core::disk::{EXAMPLES, name_of};
 use crate::gui::core::robot_table::RobotTable;
@@ -94,7 +94,7 @@ fn foot(ui: &mut Ui, workbench: &Workbench, cancelled: bool, missing: Option<&st
                 .does(workbench, Workbench::cancel_look);
             widgets::look_again_soon(ui);
         } else if cancelled {
-            ui.hint(say!("Looking at the file was cancelled"));
+            ui.hint(capital(say!("it was cancelled")));
             ui.button(say!("Look again"))
                 .does(workbench, Workbench::keep_looking);
         } else if let Some(missing) = missing {
@@ -152,8 +152,8 @@ fn robot(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
         && RobotFrom::is_urdf(path)
     {
         for (row, label, link) in [
-            (say!("Base"), say!("Link of the base"), base),
-            (say!("Tip"), say!("Link of the tool"), tip),
+            (&capital(say!("base")), say!("Link of the base"), base),
+            (&say!("Tip").to_owned(), say!("Link of the tool"), tip),
         ] {
             let field = TextEdit::singleline(link).hint_text(say!("name of a link"));
             ui.form_row(row, |ui| drop(ui.named(label, field)));

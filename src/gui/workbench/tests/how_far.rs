@@ -189,7 +189,7 @@ fn a_session_that_is_saved_says_how_far_it_is_and_cancelled_the_old_file_stays()
     until(&mut bench, idle);
     assert!(bench.unsaved());
     let message = bench.view.message.as_ref().expect("it is said");
-    assert!(message.title.ends_with("could not be saved"), "{message:?}");
+    assert!(message.title.ends_with("was not written"), "{message:?}");
     assert!(message.details.iter().any(|d| d == "it was cancelled"));
     assert_eq!(fs::read_to_string(&path).unwrap(), "an old document");
     assert_eq!(fs::read_to_string(&csv).unwrap(), "old samples");
@@ -227,7 +227,7 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
     assert!(ends.recv().unwrap().contains("cancelled"));
     bench.receive();
     let says = sheet.describe(&mut bench);
-    let expected = "Looking at the file was cancelled";
+    let expected = "It was cancelled";
     assert!(says.iter().any(|s| s == expected), "{says:?}");
     sheet.press(&mut bench, "Look again");
     until(&mut bench, |bench| match &bench.view.sheet {

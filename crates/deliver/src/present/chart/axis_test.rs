@@ -2,6 +2,7 @@
 //! table corrects through them with its band, and what is left as predicted with the table.
 
 use super::{Axis, Chart, ColourRole, Entry, Form, Item, LEAST_SPAN, LegendSymbol, Mark};
+use crate::present::units::in_unit;
 use crate::standards::{AxisTest, CurvePoint, Position, Positioning, Series};
 
 /// Which deviations are shown.
@@ -105,7 +106,7 @@ impl AxisDeviation<'_> {
         Chart {
             title,
             across: self.across.clone(),
-            upwards: Axis::numbers(say!("deviation, {unit}", unit = self.unit.0)),
+            upwards: Axis::numbers(in_unit(say!("deviation"), self.unit.0)),
             bounds,
             legend: self.legend(after.is_some(), &items),
             items,
@@ -139,10 +140,10 @@ impl AxisDeviation<'_> {
         let way =
             |name: &str, form| Entry::new(name, LegendSymbol::Mark(form), ColourRole::Noise, false);
         if has(|p| &p.up) {
-            legend.push(way(say!(in "chart-word", "approach +"), Form::Forwards));
+            legend.push(way(say!("approach +"), Form::Forwards));
         }
         if has(|p| &p.down) {
-            legend.push(way(say!(in "chart-word", "approach −"), Form::Backwards));
+            legend.push(way(say!("approach −"), Form::Backwards));
         }
         let curve = |item: &Item| item.colour_role() == Some(ColourRole::Curve);
         if items.iter().any(curve) {

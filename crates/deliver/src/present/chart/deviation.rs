@@ -55,15 +55,15 @@ impl Deviation<'_> {
             let way = |name: &str, form| {
                 Entry::new(name, LegendSymbol::Mark(form), ColourRole::Noise, false)
             };
-            legend.push(way(say!(in "chart-word", "approach +"), Form::Forwards));
-            legend.push(way(say!(in "chart-word", "approach −"), Form::Backwards));
+            legend.push(way(say!("approach +"), Form::Forwards));
+            legend.push(way(say!("approach −"), Form::Backwards));
         }
         if let Some(tolerance) = self.tolerance_mm {
             let low = if self.is_length { 0.0 } else { -tolerance };
             if low > mm[0] || tolerance < mm[1] {
                 let band = [low.max(mm[0]), tolerance.min(mm[1])].map(value);
                 items.push(Item::Band(band, ColourRole::Tolerance));
-                let name = say!(in "chart-word", "tolerance");
+                let name = say!("tolerance");
                 legend.push(Entry::new(
                     name,
                     LegendSymbol::Band,

@@ -113,7 +113,7 @@ pub fn gap(
                     below: false,
                 }));
             } else {
-                let name = say!(in "chart-word", "tolerance");
+                let name = say!("tolerance");
                 let entry = Entry::new(name, LegendSymbol::Line, stands, true);
                 legend.push(entry.on_paper(format!("{name} {}", says(mm))));
             }

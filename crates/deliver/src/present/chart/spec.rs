@@ -162,8 +162,7 @@ impl Entry {
 
     /// What the model leaves.
     pub fn after(sign: LegendSymbol) -> Self {
-        Self::new(say!("after"), sign, ColourRole::After, true)
-            .on_paper(say!(in "chart-word", "Model residuals"))
+        Self::new(say!("after"), sign, ColourRole::After, true).on_paper(say!("Model residuals"))
     }
 
     /// The same with another name on paper.
