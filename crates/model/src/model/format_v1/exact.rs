@@ -12,6 +12,8 @@ use crate::sessions::files::format_v1::robot::ROBOT;
 use crate::sessions::validation;
 use crate::text::{Template, Text};
 
+use super::term::LARGEST;
+
 pub(super) const DISAGREES: Template =
     phrase!("the value that the readable keys give: edit both, or remove the exact one");
 
@@ -122,8 +124,7 @@ pub(super) fn exact_term(o: &mut Object<'_, '_>, term: &mut Term) {
     let readable = term.coefficients.clone();
     let expected = text!("an array of {readable} numbers", readable = readable.len());
     let read = |at: &mut Cursor<'_, '_>| {
-        // Larger than any coefficient in mm, rad or parts of one; a sum of squares stays finite.
-        let sound = |v: &f64| v.abs() <= 1.0 / f64::EPSILON;
+        let sound = |v: &f64| v.abs() <= LARGEST;
         let exact = at
             .column()
             .filter(|all| all.len() == readable.len() && all.iter().all(sound));

@@ -50,8 +50,7 @@ pub(crate) fn term(at: &mut Cursor<'_, '_>, robot: &Robot) -> Option<Term> {
     }
     let key = "parameters";
     let expected = phrase!("an object with a number for each parameter");
-    let given = at.under_if(members, key, expected, parameters)?;
-    let given = given.unwrap_or_default();
+    let given = at.under(members, key, expected, parameters)?;
     let start = optional(members, key).map_or(start, |given| given.at);
     let named: Vec<(&str, f64)> = given.iter().map(|(n, v)| (n.as_str(), *v)).collect();
     let mut term = match Term::from_parameters(&id, joint, &named, joints) {
@@ -105,6 +104,10 @@ fn of_another_kind<'n>(
     Some((name, expected))
 }
 
+/// Larger than any parameter, in whatever unit: a sum of squares stays finite, and the exact coefficients of a model
+/// that is written can be read.
+pub(super) const LARGEST: f64 = 1.0 / f64::EPSILON;
+
 fn parameters(at: &mut Cursor<'_, '_>) -> Option<Vec<(String, f64)>> {
     let members = at.members()?;
     let read = |member: &Member| {
@@ -112,6 +115,11 @@ fn parameters(at: &mut Cursor<'_, '_>) -> Option<Vec<(String, f64)>> {
         let value = NUMBER.read(at.fields, &member.node, path)?;
         if member.key.starts_with("amplitude") && value < 0.0 {
             let expected = text!("an amplitude of 0 or more");
+            at.fields.mismatch(&member.node, path, expected);
+            return None;
+        }
+        if value.abs() > LARGEST {
+            let expected = text!("a number of at most {most}", most = LARGEST);
             at.fields.mismatch(&member.node, path, expected);
             return None;
         }

@@ -256,6 +256,14 @@ fn a_readable_value_that_was_edited_alone_is_noticed() {
     assert!(refused.contains("edit both"), "{refused}");
 }
 
+/// Found by the fuzzer: it was accepted, and what was written of it was not.
+#[test]
+fn a_parameter_beyond_all_sizes_is_refused() {
+    let large = small().replace("\"offset_deg\": -3", "\"offset_deg\": -3e61");
+    let refused = read_model(&large).unwrap_err().to_string();
+    assert!(refused.contains("offset_deg"), "{refused}");
+}
+
 #[test]
 fn each_kind_of_wrong_model_is_refused_with_its_place() {
     let cases = [
@@ -270,6 +278,7 @@ fn each_kind_of_wrong_model_is_refused_with_its_place() {
             "line 12, column 80, effects[0].parameters.offset_deg",
         ),
         ("offset_deg", "width_deg", "no parameter 'width_deg'"),
+        ("\"parameters\"", "\"parameturs\"", "no key 'parameters'"),
         (
             "joint-zero-offset",
             "gremlins",
