@@ -8,6 +8,7 @@
 )]
 
 use truepose::compensation::VerifiedCalibration;
+use truepose::diagnostic::Rejected;
 use truepose::effects::{Term, find as effect};
 use truepose::kinematics::{Pose, Range, pose_from_parts};
 use truepose::model::{Calibration, Model};
@@ -83,6 +84,22 @@ fn placed(mm: [f64; 3]) -> Pose {
     pose_from_parts(mm, [1.0, 0.0, 0.0, 0.0]).expect("a unit quaternion")
 }
 
+/// What is wrong is said with its place and with what was expected; the last of many complaints says how many more
+/// there are.
+fn complaints_have_places(rejected: &Rejected) {
+    let all = &rejected.diagnostics;
+    assert!(!all.is_empty());
+    for one in all {
+        let place = &one.place;
+        assert!(place.line.is_some() && place.column.is_some(), "{one}");
+    }
+    let silent = all.iter().position(|one| one.expected.is_empty());
+    assert!(
+        silent.is_none_or(|k| k >= 200 && k + 1 == all.len()),
+        "{rejected}"
+    );
+}
+
 /// Corrects what may be a program and checks what is promised of every answer; `None`: it was refused.
 /// The bits of `choice` say what the caller states beside the file: frame, start, tool, and what holds where
 /// the program differs from the model.
@@ -135,22 +152,7 @@ pub fn compensated(
     let answer = match pipeline::compensate(&request) {
         Ok(answer) => answer,
         Err(CompensateError::Rejected(rejected)) => {
-            assert!(!rejected.diagnostics.is_empty());
-            for one in &rejected.diagnostics {
-                assert!(
-                    one.place.line.is_some() && one.place.column.is_some(),
-                    "{one}"
-                );
-            }
-            // The last of many says how many more there are.
-            let silent = rejected
-                .diagnostics
-                .iter()
-                .rposition(|one| one.expected.is_empty());
-            assert!(
-                silent.is_none_or(|k| k >= 200 && k + 1 == rejected.diagnostics.len()),
-                "{rejected}"
-            );
+            complaints_have_places(&rejected);
             return None;
         }
         Err(CompensateError::Tool { .. }) if named => return None,

@@ -1,7 +1,7 @@
 //! Corrected targets of a table or a robot program: how many, how far off they were and are, what is given up of
 //! their orientation, what could not be corrected.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use super::{Block, Detail, Fact, Section, Topic, clean, cleaned, fact};
 use crate::language;
@@ -49,7 +49,7 @@ pub fn program(answer: &Answer, orientation: bool, most: usize, detail: Detail) 
 #[doc(hidden)]
 pub fn left_as_they_are(answer: &Answer) -> Vec<String> {
     let mut lines: Vec<(&SkippedTarget, String, Vec<&Outcome>)> = Vec::new();
-    let mut known = HashMap::new();
+    let mut known = BTreeMap::new();
     for target in &answer.targets {
         let Err(left) = &target.result else { continue };
         let says = cleaned(&left.explanation);
