@@ -3,7 +3,7 @@
 use egui::{Button, DragValue, RichText, ScrollArea, Ui};
 
 use crate::explain::{self, Block, Detail, Exported, Section, Topic};
-use crate::export::{Asked, EXPORTERS, Motors, Zeros, find};
+use crate::export::{EXPORTERS, Motors, Zeros, find};
 use crate::gui::actions;
 use crate::gui::cache::{ExportPreview, StandardsFigures};
 use crate::gui::core::disk::name_of;
@@ -148,7 +148,10 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
 
 /// What a description of the robot is asked for: what of the model the file takes, and what the controller does.
 fn of_the_robot(ui: &mut Ui, workbench: &Workbench, choice: &ExportChoice) {
-    let asked = Asked::by(choice.format, &workbench.loaded_session().session.robot);
+    let Some(format) = find(choice.format) else {
+        return;
+    };
+    let asked = (format.exporter).asks(&workbench.loaded_session().session.robot);
     let mut next = choice.clone();
     if let Some(usual) = asked.zeros {
         let offered = [

@@ -21,6 +21,7 @@ use super::steps::{Step, fit, motion, ranges};
 use crate::text::length;
 
 use super::exporter::several_joints;
+use super::options::{Asked, Zeros};
 use super::{Export, ExportError, Exporter, Format, Job};
 use crate::document::kinds::{TEXT, VECTOR};
 use crate::document::object::written;
@@ -56,6 +57,14 @@ struct Rows {
 }
 
 impl Exporter for Dh {
+    fn asks(&self, robot: &Robot) -> Asked {
+        Asked {
+            zeros: Some(Zeros::default()),
+            convention: Some(came_in(robot)),
+            ..Asked::default()
+        }
+    }
+
     fn export(&self, job: &Job) -> Result<Export, ExportError> {
         let nominal = &job.calibration.model.robot;
         let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
@@ -115,7 +124,7 @@ fn parallels(robot: &Robot) -> Vec<Text> {
         .collect()
 }
 
-pub(super) fn came_in(robot: &Robot) -> DhConvention {
+fn came_in(robot: &Robot) -> DhConvention {
     match &robot.source {
         RobotSource::Dh { rows, .. } => rows
             .first()

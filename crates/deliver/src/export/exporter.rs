@@ -4,6 +4,7 @@ use crate::kinematics::Robot;
 use crate::text::{Template, Text};
 
 use super::job::{ExportError, Job};
+use super::options::Asked;
 use super::read_back::ReadBack;
 use super::residual_error::ResidualError;
 use super::rules::Rules;
@@ -15,6 +16,11 @@ pub trait Exporter: Sync {
     /// # Errors
     /// What the format cannot say is refused, never cut off.
     fn export(&self, job: &Job) -> Result<Export, ExportError>;
+
+    /// What it can be told beside the model, for a robot.
+    fn asks(&self, _robot: &Robot) -> Asked {
+        Asked::default()
+    }
 }
 
 /// An entry of the list of formats.

@@ -22,7 +22,7 @@ use calibration::{Motor, TICKS_PER_TURN, read_calibration};
 use super::chain::{Chain, differences_over_range, rms};
 use super::description::{Written, finish};
 use super::names::Names;
-use super::options::{Motors, Zeros};
+use super::options::{Asked, Motors, Zeros};
 use super::urdf;
 use super::{Export, ExportError, Exporter, Format, Job};
 use crate::compensation::Compensation;
@@ -52,6 +52,15 @@ fn all_turn(robot: &Robot) -> bool {
 }
 
 impl Exporter for LeRobot {
+    fn asks(&self, _robot: &Robot) -> Asked {
+        Asked {
+            zeros: Some(Zeros::Controller),
+            motors: true,
+            reference: true,
+            ..Asked::default()
+        }
+    }
+
     fn export(&self, job: &Job) -> Result<Export, ExportError> {
         let nominal = &job.calibration.model.robot;
         let slides = |joint: &&Joint| joint.kind == JointKind::Prismatic;

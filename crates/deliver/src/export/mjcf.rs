@@ -14,6 +14,7 @@ use super::chain::Chain;
 use super::description::{Written, finish};
 use super::euler::{three, tidy};
 use super::names::{Names, escaped};
+use super::options::{Asked, Zeros};
 
 use super::exporter::several_joints;
 use super::{Export, ExportError, Exporter, Format, Job};
@@ -33,6 +34,13 @@ struct Mjcf;
 const MM_PER_M: f64 = 1e3;
 
 impl Exporter for Mjcf {
+    fn asks(&self, _robot: &Robot) -> Asked {
+        Asked {
+            zeros: Some(Zeros::default()),
+            ..Asked::default()
+        }
+    }
+
     fn export(&self, job: &Job) -> Result<Export, ExportError> {
         let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
         let names = Names::new(&chain.robot);

@@ -1,8 +1,6 @@
 //! What an export of a corrected robot may be asked for beside its format.
 
-use crate::kinematics::{DhConvention, Robot};
-
-use super::dh::came_in;
+use crate::kinematics::DhConvention;
 
 named! {
     /// Who takes the zero offsets of the joints. Never both: they would be corrected twice.
@@ -50,7 +48,7 @@ pub struct Reference<'a> {
 }
 
 /// What a format asks for, each with what it takes where nothing is said.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Asked {
     /// Who takes the zero offsets.
     pub zeros: Option<Zeros>,
@@ -60,22 +58,6 @@ pub struct Asked {
     pub motors: bool,
     /// A file that it starts from.
     pub reference: bool,
-}
-
-impl Asked {
-    /// By a format for this robot.
-    pub fn by(format: &str, robot: &Robot) -> Self {
-        Self {
-            zeros: match format {
-                "dh" | "mjcf" | "urdf" | "ur-kinematics" => Some(Zeros::default()),
-                "lerobot" => Some(Zeros::Controller),
-                _ => None,
-            },
-            convention: (format == "dh").then(|| came_in(robot)),
-            motors: format == "lerobot",
-            reference: ["lerobot", "urdf"].contains(&format),
-        }
-    }
 }
 
 /// Options of an export of a robot's description.

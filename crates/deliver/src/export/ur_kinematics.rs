@@ -20,6 +20,7 @@ use super::description::{Written, finish, frames};
 use super::dh_rows::nominal_rows;
 use super::euler::Frame;
 use super::euler::{rpy, tidy};
+use super::options::{Asked, Zeros};
 
 use super::{Export, ExportError, Exporter, Format, Job};
 use crate::kinematics::{Axis, DhConvention, Joint, JointKind, Pose, Robot, RobotSource};
@@ -54,6 +55,13 @@ fn six_that_turn(robot: &Robot) -> bool {
 }
 
 impl Exporter for UrKinematics {
+    fn asks(&self, _robot: &Robot) -> Asked {
+        Asked {
+            zeros: Some(Zeros::default()),
+            ..Asked::default()
+        }
+    }
+
     fn export(&self, job: &Job) -> Result<Export, ExportError> {
         let nominal = &job.calibration.model.robot;
         if !six_that_turn(nominal) {

@@ -24,6 +24,7 @@ use super::description::{Written, finish};
 use super::euler::three;
 use super::exporter::any_robot;
 use super::names::{Names, escaped};
+use super::options::{Asked, Zeros};
 use super::{Export, ExportError, Exporter, Format, Job};
 use crate::kinematics::{JointKind, Pose, Robot, RobotSource, robot_from_urdf};
 use crate::text::Text;
@@ -41,6 +42,14 @@ pub(super) const FORMAT: Format = Format {
 struct Urdf;
 
 impl Exporter for Urdf {
+    fn asks(&self, _robot: &Robot) -> Asked {
+        Asked {
+            zeros: Some(Zeros::default()),
+            reference: true,
+            ..Asked::default()
+        }
+    }
+
     fn export(&self, job: &Job) -> Result<Export, ExportError> {
         let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
         if let Some(reference) = job.options.reference {

@@ -12,8 +12,6 @@ use crate::sessions::files::format_v1::robot::ROBOT;
 use crate::sessions::validation;
 use crate::text::{Template, Text};
 
-use super::term::LARGEST;
-
 pub(super) const DISAGREES: Template =
     phrase!("the value that the readable keys give: edit both, or remove the exact one");
 
@@ -108,6 +106,10 @@ const TWO: Kind<[f64; 2]> = Kind {
     read: |at| at.numbers(),
     write: |two| (*two).into(),
 };
+
+/// Larger than any parameter, in whatever unit: a sum of squares stays finite, and the exact coefficients of a model
+/// that is written can be read.
+pub(super) const LARGEST: f64 = 1.0 / f64::EPSILON;
 
 /// The exact numbers of an effect in place of the readable ones.
 pub(super) fn exact_term(o: &mut Object<'_, '_>, term: &mut Term) {

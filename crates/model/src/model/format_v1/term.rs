@@ -1,7 +1,7 @@
 //! One effect, as models and scenarios write it.
 
 use super::curve::{self, unexplained};
-use super::exact::exact_term;
+use super::exact::{LARGEST, exact_term};
 use super::rest;
 use crate::document::kinds::{NUMBER, TEXT, count};
 use crate::document::number::quoted;
@@ -103,10 +103,6 @@ fn of_another_kind<'n>(
     );
     Some((name, expected))
 }
-
-/// Larger than any parameter, in whatever unit: a sum of squares stays finite, and the exact coefficients of a model
-/// that is written can be read.
-pub(super) const LARGEST: f64 = 1.0 / f64::EPSILON;
 
 fn parameters(at: &mut Cursor<'_, '_>) -> Option<Vec<(String, f64)>> {
     let members = at.members()?;
