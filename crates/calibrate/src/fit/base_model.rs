@@ -87,7 +87,7 @@ pub(crate) fn terms(
 }
 
 /// All of it: zero offsets, frames, tool, links; of a single joint its zero offset and link length where they can be
-/// tested, and its [`extra_terms`].
+/// tested, and its `extra_terms`.
 pub fn start(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool) -> Model {
     let mut all = Vec::new();
     if is_arm(session) {
