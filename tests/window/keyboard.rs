@@ -3,6 +3,7 @@
 
 use std::path::Path;
 
+use crate::cases::cases;
 use crate::window::{Window, keys, says, status, there, window_of};
 use egui::epaint::{RectShape, Shape};
 use egui::{Color32, Key, Modifiers, Rect};
@@ -10,7 +11,8 @@ use egui_kittest::kittest::NodeT;
 use truepose::gui::Runner;
 
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
-const SIZES: [[f32; 2]; 2] = [[1280.0, 800.0], [1024.0, 700.0]];
+/// The small one first: there panels scroll.
+const SIZES: [[f32; 2]; 2] = [[1024.0, 700.0], [1280.0, 800.0]];
 
 /// Presses what comes next.
 fn next(window: &mut Window) {
@@ -98,7 +100,7 @@ fn ring(window: &Window) -> Option<(Rect, Rect)> {
 #[test]
 fn wherever_the_focus_goes_it_is_seen_whole() {
     let arm = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");
-    for size in SIZES {
+    for size in cases(&SIZES, 1).iter().copied() {
         let mut window = window_of(size, Some(arm.into()), Runner::AtOnce);
         keys(&mut window, Modifiers::COMMAND, Key::I);
         keys(&mut window, Modifiers::COMMAND, Key::G);

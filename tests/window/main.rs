@@ -3,6 +3,8 @@
 
 #![cfg(feature = "gui")]
 
+#[path = "../support/cases.rs"]
+mod cases;
 #[path = "../support/rig.rs"]
 mod rig;
 #[path = "../support/touring.rs"]

@@ -42,7 +42,7 @@ fn while_a_dialog_of_the_system_is_open_the_window_takes_no_commands() {
     keys(&mut window, Modifiers::COMMAND, Key::I);
     until(&mut window, " → ");
     keys(&mut window, Modifiers::COMMAND, Key::T);
-    until(&mut window, "waiting for a file name");
+    until(&mut window, "waiting for a file to be chosen");
     // Neither keys nor a click bring another session, and no second dialog is opened.
     keys(&mut window, Modifiers::NONE, Key::F3);
     keys(&mut window, SHIFTED, Key::S);
@@ -53,7 +53,7 @@ fn while_a_dialog_of_the_system_is_open_the_window_takes_no_commands() {
     let path = folder.path().join("first.csv");
     answer.send(Some(path.clone())).expect("it waits");
     until(&mut window, "Saved first.csv");
-    assert!(path.exists() && !says(&window, "waiting for a file name"));
+    assert!(path.exists() && !says(&window, "waiting for a file to be chosen"));
     keys(&mut window, Modifiers::NONE, Key::F3);
     until(&mut window, "30 samples");
 }

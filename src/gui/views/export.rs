@@ -151,7 +151,7 @@ fn of_the_robot(ui: &mut Ui, workbench: &Workbench, choice: &ExportChoice) {
     let Some(format) = find(choice.format) else {
         return;
     };
-    let asked = (format.exporter).asks(&workbench.loaded_session().session.robot);
+    let asked = format.asks(&workbench.loaded_session().session.robot);
     let mut next = choice.clone();
     if let Some(usual) = asked.zeros {
         let offered = [

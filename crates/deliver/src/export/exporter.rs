@@ -40,6 +40,13 @@ pub struct Format {
     pub exporter: &'static dyn Exporter,
 }
 
+impl Format {
+    /// What it can be told beside the model, for a robot.
+    pub fn asks(&self, robot: &Robot) -> Asked {
+        self.exporter.asks(robot)
+    }
+}
+
 pub(super) fn any_robot(_: &Robot) -> bool {
     true
 }
