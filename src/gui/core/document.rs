@@ -512,7 +512,7 @@ impl Document {
     pub(crate) fn rename(&mut self, region: usize, name: &str) -> Changed {
         let name = name.trim();
         if name.is_empty() {
-            return Err(say!("a name is missing").to_owned());
+            return Err(say!("a region needs a name").to_owned());
         }
         let taken = |(k, r): (usize, &Region)| k != region && r.name == name;
         if self.regions.iter().enumerate().any(taken) {

@@ -246,7 +246,7 @@ impl RobotTable {
     /// What is wrong with the table.
     pub(crate) fn robot(&self) -> Result<Robot, Text> {
         if self.name.trim().is_empty() {
-            return Err(text!("a name is missing"));
+            return Err(text!("a robot needs a name"));
         }
         for (index, row) in self.rows.iter().enumerate() {
             let used = self.form.numbers().len();
@@ -260,7 +260,7 @@ impl RobotTable {
                 ));
             }
             if row.name.trim().is_empty() {
-                return Err(text!("a name is missing"));
+                return Err(text!("a joint needs a name"));
             }
             if row
                 .link
@@ -477,7 +477,7 @@ mod tests {
             change(&mut table);
             table.robot().expect_err("it is no robot").to_string()
         };
-        assert_eq!(wrong(|t| t.name = "  ".into()), "a name is missing");
+        assert_eq!(wrong(|t| t.name = "  ".into()), "a robot needs a name");
         let says = wrong(|t| t.rows[1].travel = Some([10.0, -10.0]));
         assert!(says.starts_with("joint 2: the travel"), "{says}");
         let says = wrong(|t| t.rows[0].numbers[0] = f64::NAN);

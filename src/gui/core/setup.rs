@@ -82,7 +82,7 @@ impl Measured {
         for (k, target) in self.targets.iter().enumerate() {
             let name = target.name.trim();
             if name.is_empty() {
-                return Some(say!("a name is missing").to_owned());
+                return Some(say!("a reflector needs a name").to_owned());
             }
             if self.targets[..k].iter().any(|t| t.name.trim() == name) {
                 return Some(say!("{name} is taken; choose another name", name));

@@ -82,7 +82,7 @@ fn idle(ui: &mut Ui, workbench: &Workbench) {
     if workbench.is_declined() {
         ui.small_button(say!("Identify again"))
             .does(workbench, move |bench| bench.identify(None));
-        let says = RichText::new(say!("it was cancelled")).size(size::NOTE);
+        let says = RichText::new(say!("the identification was cancelled")).size(size::NOTE);
         ui.colored_label(Palette::of(ui).warning, says);
     }
 }

@@ -120,7 +120,7 @@ impl Workbench {
             What::Session => {
                 if self.loaded_session().is_empty() {
                     return Err([
-                        say!("There is nothing to export yet"),
+                        say!("There is no session to save"),
                         say!("A model by itself is saved in the Export step"),
                     ]);
                 }
@@ -147,7 +147,7 @@ impl Workbench {
             }
             What::Poses => {
                 let diagnosis = self.diagnosis().ok_or([
-                    say!("There is nothing to export yet"),
+                    say!("There is no measuring list yet"),
                     say!("Run the diagnosis first"),
                 ])?;
                 let robot = &self.loaded_session().session.robot;
@@ -213,8 +213,8 @@ impl Workbench {
             }
             _ => {
                 return Err([
-                    say!("There is nothing to export yet"),
-                    say!("Open a session that was measured on this robot"),
+                    say!("There is nothing to report yet"),
+                    say!("Open a session, or identify the robot first"),
                 ]);
             }
         };
