@@ -97,11 +97,9 @@ fn are_multiples(values: &[f64], step: f64, written: Option<f64>) -> bool {
     // The step itself is written exactly: then half a digit is no excuse.
     let exact = written.is_some_and(|digit| misses(step, digit) < 1e-9);
     let window = |v: f64| float(v, step) + if exact { 0.0 } else { of_digit };
-    let strange = values
-        .iter()
-        .filter(|v| misses(**v, step) > window(**v))
-        .count();
-    if strange as f64 > STRANGERS * values.len() as f64 {
+    let strangers = values.iter().filter(|v| misses(**v, step) > window(**v));
+    let most = STRANGERS * values.len() as f64;
+    if strangers.zip(1..).any(|(_, count)| f64::from(count) > most) {
         return false;
     }
     // Of values that are written to a digit so many are multiples of the step by accident.

@@ -3,36 +3,26 @@
 //! two-cycle together, and none of them is any of these.
 //!
 //! The curve is a Gaussian process along the joint's motion, along its radius and along its axis
-//! ([`crate::diagnosis::rest`]); its marginal likelihood is compared with that of the names. Where it is likelier
-//! without names, the names that only imitate it are withdrawn.
+//! ([`crate::diagnosis::rest`]). What repeats over the joint is explained by names, by the curve, or by both: by what
+//! makes the samples likeliest. Names that are not needed in addition to the curve are withdrawn.
 
 use std::collections::BTreeMap;
 
-use nalgebra::DMatrix;
-
-use crate::decompose::eigen;
-use crate::diagnosis::rest::joint::{MOST_IN_A_PERIOD, MOST_KNOTS};
-use crate::effects::survey::ENOUGH;
-use crate::effects::{Over, Setting, Term};
-use crate::linear::reject_all;
+use crate::effects::{Over, Term};
+use crate::fewest;
 use crate::model::Model;
-use crate::{fewest, odds};
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
 use crate::diagnosis::candidates::Placed;
 use crate::diagnosis::evidence::{EFFECT_PRIOR_PENALTY, Fit, Regression};
+use crate::diagnosis::rest::joint::MOST_KNOTS;
 use crate::diagnosis::rest::joint::free_curve;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// The penalty of the curve: that of a name, and a factor of e for each of its parameters (length, size, roughness).
 /// Names have no prior preference; no further one is needed.
 const PRICE: f64 = EFFECT_PRIOR_PENALTY + 3.0;
-/// Waves over the range from which on a name is not smooth.
-const FEW_WAVES: f64 = 3.0;
-/// Shares of the range within which a pull at its ends falls to 1/e: cables and hoses are bent there, and the farther
-/// the stiffer.
-const PULLS: [f64; 6] = [0.05, 0.07, 0.1, 0.14, 0.2, 0.28];
 
 /// A model with the likeliest curve over a joint added, or with none.
 struct FitWithCurve {
@@ -67,17 +57,12 @@ impl FitWithCurve {
         };
         let regression = &prepared.regression;
         let curve = free_curve(&regression.problem, &regression.noise, model, joint);
+        let curve = curve.filter(|curve| curve.ln_odds > PRICE);
         let curve = curve.map(|curve| Curve {
             ln_odds: curve.ln_odds,
             pieces: curve.freedom.clamp(fewest::OF_A_PART, MOST_KNOTS - 1),
             direction: direction(curve.direction),
         });
-        let single = prepared.survey.joints.len() == 1;
-        let ends = single.then(|| pulled_at_its_ends(&prepared.regression, &fit, joint));
-        let likelier = curve.into_iter().chain(ends.flatten());
-        let curve = likelier
-            .max_by(|a, b| a.ln_odds.total_cmp(&b.ln_odds))
-            .filter(|curve| curve.ln_odds > PRICE);
         let own = curve.as_ref().map_or(0.0, |curve| curve.ln_odds - PRICE);
         Self {
             ln_evidence: fit.ln_evidence + own,
@@ -96,57 +81,6 @@ impl FitWithCurve {
             None => self.fit,
         }
     }
-}
-
-/// How much likelier the samples are, as a logarithm, with two pulls along the joint's motion that grow exponentially
-/// towards the ends of its range, of independent sizes t in units of the noise. With B their columns projected
-/// orthogonal to the fit and r its residual,
-///
-/// ```text
-/// ln E = −½ Σ ln(1 + t² e_k) − (m/2) ln(1 − Σ t² z_k²/(1 + t² e_k) / rss),   e, U: eigen of BᵀB,   z = Uᵀ Bᵀ r
-/// ```
-fn pulled_at_its_ends(regression: &Regression, reduced: &Fit, joint: usize) -> Option<Curve> {
-    let direction = Direction::Tangential(joint);
-    let free = regression
-        .placed(over(joint, direction, MOST_KNOTS - 1))
-        .white;
-    // One unit of the curve moves a sample by one unit of its noise, in the mean.
-    let samples = regression.rows.samples.len().max(1) as f64;
-    let unit = free.column_sum().norm_squared().max(free.norm_squared()) / samples;
-    let (total, m) = (regression.rounded(reduced.rss), regression.m());
-    let of_length = |length: f64| {
-        let root = DMatrix::from_fn(MOST_KNOTS, 2, |row, end| {
-            let from_low = row as f64 / (MOST_KNOTS - 1) as f64;
-            let away = if end == 0 { from_low } else { 1.0 - from_low };
-            (-away / length).exp()
-        });
-        let mut columns = &*free * root / unit.sqrt();
-        reject_all(&reduced.basis.q, &mut columns);
-        let own = eigen(columns.tr_mul(&columns));
-        let z = own.eigenvectors.tr_mul(&columns.tr_mul(&reduced.residual));
-        let of_size = |size: f64| {
-            let t2 = size * size;
-            let (mut determinant, mut gain) = (0.0, 0.0);
-            for (e, z) in own.eigenvalues.iter().zip(&z) {
-                let wider = 1.0 + t2 * e.max(0.0);
-                determinant += wider.ln();
-                gain += t2 * z * z / wider;
-            }
-            let share = (gain / total.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
-            -0.5 * determinant - 0.5 * m * (-share).ln_1p()
-        };
-        let sizes = (0..15).map(|k| of_size(0.2 * 2.0_f64.powi(k)));
-        sizes.fold(f64::NEG_INFINITY, f64::max)
-    };
-    let best = PULLS
-        .map(of_length)
-        .into_iter()
-        .fold(f64::NEG_INFINITY, f64::max);
-    (unit > 0.0).then_some(Curve {
-        ln_odds: best,
-        pieces: MOST_IN_A_PERIOD,
-        direction,
-    })
 }
 
 /// A polygon over a joint.
@@ -173,56 +107,25 @@ fn without(model: &Model, names: &[Term]) -> Model {
     model.without(|t| names.iter().any(|n| n.same_column(t)))
 }
 
-/// The names among these that change slowly over the range of the joint.
-fn slow(prepared: &PreparedSearch, names: &[Term], joint: usize) -> Vec<Term> {
-    let (low, high) = prepared
-        .regression
-        .table
-        .space
-        .range(Variable::Joint(joint));
-    let is_slow = |term: &&Term| match term.effect.about().setting {
-        Setting::Order { .. } => term.setting * (high - low) < FEW_WAVES * std::f64::consts::TAU,
-        Setting::None => true,
-        _ => false,
-    };
-    names.iter().filter(is_slow).cloned().collect()
-}
-
-/// Compares a free curve over each joint with all names over it, over the only joint with the slow ones too; or with
-/// `one_by_one`, over the only joint, also with each of them, the curve in addition to the others. Where the samples
-/// are likelier without the names they are taken out: what repeats is in the model with or without a name, and a name
-/// has to be likelier.
-pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_one: bool) {
-    // Slow noise is compared with the names elsewhere.
-    let single = prepared.survey.joints.len() == 1 && prepared.regression.noise.slow.is_none();
-    if one_by_one && !single {
-        return;
-    }
+/// Compares all names over each joint, fewer of them, and none, each alone and with a free curve over the joint: the
+/// least needed name, or all at once, is taken out while the samples are likelier without. What repeats is in the model
+/// with or without a name.
+pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult) {
     for joint in 0..prepared.survey.joints.len() {
         let (mut names, kept) = over_joint(prepared, &found.fit, joint);
-        let has_shape = kept.len() < found.fit.shapes.len();
-        let fitted = |model: &Model| FitWithCurve::of(prepared, model, &kept, joint);
-        let mut most = found.fit.ln_evidence;
-        if one_by_one && !names.is_empty() {
-            most = most.max(fitted(&found.fit.model).ln_evidence);
+        if names.is_empty() {
+            continue;
         }
+        let fitted = |model: &Model| FitWithCurve::of(prepared, model, &kept, joint);
         let mut model = found.fit.model.clone();
+        let mut most = found.fit.ln_evidence.max(fitted(&model).ln_evidence);
         let mut likeliest = None;
         while !names.is_empty() {
-            let mut sets = Vec::new();
-            if has_shape || columns(&names) >= fewest::NO_ACCIDENT {
-                sets.push(names.clone());
-            }
-            if single {
-                let slow = slow(prepared, &names, joint);
-                sets.extend((columns(&slow) >= fewest::NO_ACCIDENT).then_some(slow));
-            }
-            if one_by_one {
-                sets.extend(names.iter().map(|name| vec![name.clone()]));
-            }
-            let rests = sets.into_iter().map(|set| without(&model, &set));
-            let rests = rests.map(|model| (fitted(&model), model));
-            let best = rests.max_by(|a, b| a.0.ln_evidence.total_cmp(&b.0.ln_evidence));
+            let one_by_one = names.iter().map(std::slice::from_ref);
+            let sets = one_by_one.chain((names.len() > 1).then_some(names.as_slice()));
+            let fewer = sets.map(|set| without(&model, set));
+            let fewer = fewer.map(|model| (fitted(&model), model));
+            let best = fewer.max_by(|a, b| a.0.ln_evidence.total_cmp(&b.0.ln_evidence));
             let Some((reduced, fewer)) = best.filter(|best| best.0.ln_evidence > most) else {
                 break;
             };
@@ -234,58 +137,6 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult, one_by_
             found.fit = likeliest.into_fit(prepared, joint);
         }
     }
-}
-
-/// Takes names over a joint out that are in the model together with a shape over it, where zero offset, names and
-/// shape have more parameters than half of the values at which it was measured: the residuals at these cannot
-/// contradict them, however often each was visited. (Evidence counts every visit, so that it does not show that.)
-pub(crate) fn withdraw_of_few_values(prepared: &PreparedSearch, found: &mut SearchResult) {
-    for (joint, survey) in prepared.survey.joints.iter().enumerate() {
-        let (names, kept) = over_joint(prepared, &found.fit, joint);
-        let own = |s: &&Placed| s.shape.variable == Variable::Joint(joint);
-        let shapes = found
-            .fit
-            .shapes
-            .iter()
-            .filter(own)
-            .map(|s| &s.shape.profile);
-        let of_shapes: usize = shapes.map(|s| s.count() + s.settings()).sum();
-        let numbers = 1 + columns(&names) + of_shapes;
-        if of_shapes > 0 && !names.is_empty() && survey.values < ENOUGH.min(2 * numbers) {
-            let reduced = without(&found.fit.model, &names);
-            let reduced = FitWithCurve::of(prepared, &reduced, &kept, joint);
-            found.fit = reduced.into_fit(prepared, joint);
-        }
-    }
-}
-
-/// Names over a joint, with the joint, that the samples cannot distinguish from a curve.
-pub(crate) fn as_likely(prepared: &PreparedSearch, fit: &Fit) -> Option<(usize, Vec<Term>)> {
-    let of_joint = |joint: usize| {
-        let (names, kept) = over_joint(prepared, fit, joint);
-        let names = slow(prepared, &names, joint);
-        let is_open = names.len() >= fewest::NO_ACCIDENT && kept.len() == fit.shapes.len();
-        let odds = || ln_odds(prepared, fit, joint, &names);
-        is_open.then(odds).map(|odds| (odds, (joint, names)))
-    };
-    let all = (0..prepared.survey.joints.len()).filter_map(of_joint);
-    let likely = all.filter(|own| own.0 > -odds::OPEN.nats());
-    let best = likely.max_by(|a, b| a.0.total_cmp(&b.0));
-    best.map(|own| own.1)
-}
-
-/// How much likelier the samples are with a curve over a joint in the place of names, as a logarithm.
-fn ln_odds(prepared: &PreparedSearch, fit: &Fit, joint: usize, names: &[Term]) -> f64 {
-    let model = without(&fit.model, names);
-    FitWithCurve::of(prepared, &model, &fit.shapes, joint).ln_evidence - fit.ln_evidence
-}
-
-/// Numbers that names have: coefficients and settings.
-fn columns(names: &[Term]) -> usize {
-    names
-        .iter()
-        .map(|t| t.coefficients.len() + settings(t))
-        .sum()
 }
 
 /// The free curve that replaces a slow part of the noise, in addition to the names that do not follow the same joint:
@@ -347,10 +198,6 @@ pub(crate) fn comes_back(prepared: &PreparedSearch, joint: usize) -> bool {
 fn follows_only(term: &Term, joint: usize) -> bool {
     let about = term.effect.about();
     about.over == Over::Angle && (term.joint == joint || !about.per_joint)
-}
-
-fn settings(term: &Term) -> usize {
-    usize::from(crate::effects::term::setting_quantity(term.effect.about().setting).is_some())
 }
 
 fn with_curve(regression: &Regression, reduced: &Fit, curve: Shape, ln_evidence: f64) -> Fit {
@@ -445,8 +292,8 @@ mod tests {
         session
     }
 
-    /// The odds of a smooth curve over the three names of such a session.
-    fn odds(session: &Session) -> f64 {
+    /// How many of the three names stay in such a session.
+    fn that_stay(session: &Session) -> usize {
         let prepared = PreparedSearch::new(session, &Options::default()).unwrap();
         let regression = &prepared.regression;
         let mut fit = regression.fit(&regression.base, &[]);
@@ -456,9 +303,9 @@ mod tests {
             let there = candidates.find(|c| c.what.term().is_some_and(is));
             fit = regression.with(&fit, &there.unwrap().what);
         }
-        let (names, _) = over_joint(&prepared, &fit, 0);
-        assert_eq!(names.len(), 3);
-        ln_odds(&prepared, &fit, 0, &names)
+        let mut found = SearchResult::of(fit.clone(), fit);
+        rival(&prepared, &mut found);
+        regression.added(&found.fit).len()
     }
 
     #[test]
@@ -478,8 +325,7 @@ mod tests {
     #[test]
     fn a_pull_of_cables_is_more_of_a_curve_than_three_names() {
         let pull = |q: f64| 0.06 * ((q - 170.0) / 30.0).exp() - 0.05 * ((-170.0 - q) / 45.0).exp();
-        let session = axis("", pull);
-        assert!(odds(&session) > -odds::OPEN.nats(), "{}", odds(&session));
+        assert!(that_stay(&axis("", pull)) < 3);
     }
 
     #[test]
@@ -492,7 +338,6 @@ mod tests {
             of(NAMES[1], r#""amplitude_deg":0.03,"phase_deg":40"#),
             of(NAMES[2], r#""amplitude_deg":0.02,"phase_deg":110"#),
         ];
-        let session = axis(&effects.join(","), |_| 0.0);
-        assert!(odds(&session) < -odds::OPEN.nats(), "{}", odds(&session));
+        assert_eq!(that_stay(&axis(&effects.join(","), |_| 0.0)), 3);
     }
 }

@@ -65,13 +65,12 @@ pub(crate) fn searched<'a>(
     work.up_to(RIVALS);
     (prepared, found) = compare_with_rivals(prepared, found, watch)?;
     slowest::readings(&prepared, &mut found);
-    free_curve::rival(&prepared, &mut found, true);
+    free_curve::rival(&prepared, &mut found);
     // 4. Each name given the others, and compared with other sets that are as likely.
     work.up_to(OTHER_SETS);
     test_at_the_end(&prepared, &mut found, watch)?;
     slowest::readings(&prepared, &mut found);
-    // 5. No name where few values or poses, the geometry, the rows or the set-up are the reason.
-    free_curve::withdraw_of_few_values(&prepared, &mut found);
+    // 5. No name where few poses, the geometry, the rows or the set-up are the reason.
     chosen_again::withdraw(&prepared, &mut found);
     base_misfit::withdraw(&prepared, &mut found);
     gross_error::withdraw(&prepared, &mut found);
@@ -161,7 +160,6 @@ fn against_rivals<'a>(
     let white = noise.slow.map(|_| noise.made_white());
     let (mut prepared, fit) = prepared.settled(&found.fit);
     found.fit = fit;
-    free_curve::rival(&prepared, &mut found, false);
     let mut others = Vec::new();
     for noise in white.into_iter().chain(slow).chain(instead) {
         let known = &prepared.regression.noise;
@@ -226,6 +224,5 @@ fn settled_search<'a>(
         }
         found = prepared.resume(&found, watch)?;
     }
-    free_curve::rival(&prepared, &mut found, false);
     Ok((prepared, found))
 }

@@ -45,6 +45,9 @@ const SHARP: f64 = 8.0;
 const NEIGHBOUR_SHARE: f64 = 1.0 / 15.0;
 /// The logarithm by which the home has to be likelier than a target or a frame that moved.
 const LIKELIER: f64 = 3.0;
+/// Half-waves over the range of a joint up to which its error may repeat: one and two cycles of a turn have four, and
+/// what is outside the catalogue may have twice as many.
+const HALF_WAVES: usize = 8;
 /// How often sizes are fitted again with what they corrected.
 const ROUNDS: usize = 3;
 
@@ -150,7 +153,25 @@ impl Residuals {
         for own in &self.joints {
             all.push(self.times(own, |i| time(i) * time(i)));
         }
+        all.extend(self.repeating(few));
         all
+    }
+
+    /// What repeats over a joint's value, its scale first: along a sweep a step in time is one over the value.
+    fn repeating(&self, few: &Session) -> Vec<DVector<f64>> {
+        let over_range = |joint: usize, wave: &dyn Fn(f64) -> f64| {
+            let q = &few.samples.q[joint];
+            let [low, high] = numeric::extent(q);
+            let width = (high - low).max(1e-9);
+            self.times(&self.joints[joint], |i| wave((q[i] - low) / width))
+        };
+        let joints = || 0..self.joints.len();
+        let scales = joints().map(|joint| over_range(joint, &|at| at));
+        let waves = (1..=HALF_WAVES).flat_map(|halves| {
+            let wave = move |at: f64| (halves as f64 * std::f64::consts::PI * at).cos();
+            joints().map(move |joint| over_range(joint, &wave))
+        });
+        scales.chain(waves).collect()
     }
 }
 
