@@ -46,7 +46,7 @@ pub(crate) const MOST_KNOTS: usize = 61;
 /// Most knots over a turn …
 const MOST_IN_A_TURN: usize = 72;
 /// … and over a shorter period.
-const MOST_IN_A_PERIOD: usize = 24;
+pub(crate) const MOST_IN_A_PERIOD: usize = 24;
 /// With fewer different values of the joint there is nothing between which a curve could be drawn (ISO 230-2 asks
 /// for five targets).
 const FEWEST_VALUES: usize = 5;

@@ -8,21 +8,27 @@
 
 use std::collections::BTreeMap;
 
+use nalgebra::DMatrix;
+
+use crate::decompose::eigen;
 use crate::effects::{Over, Term};
 use crate::fewest;
+use crate::linear::reject_all;
 use crate::model::Model;
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
 use crate::diagnosis::candidates::Placed;
 use crate::diagnosis::evidence::{EFFECT_PRIOR_PENALTY, Fit, Regression};
-use crate::diagnosis::rest::joint::MOST_KNOTS;
-use crate::diagnosis::rest::joint::free_curve;
+use crate::diagnosis::rest::joint::{MOST_IN_A_PERIOD, MOST_KNOTS, free_curve};
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// The penalty of the curve: that of a name, and a factor of e for each of its parameters (length, size, roughness).
 /// Names have no prior preference; no further one is needed.
 const PRICE: f64 = EFFECT_PRIOR_PENALTY + 3.0;
+/// Shares of the range within which a pull at its ends falls to 1/e: cables and hoses are bent there, and the farther
+/// the stiffer.
+const PULLS: [f64; 6] = [0.05, 0.07, 0.1, 0.14, 0.2, 0.28];
 
 /// A model with the likeliest curve over a joint added, or with none.
 struct FitWithCurve {
@@ -57,12 +63,17 @@ impl FitWithCurve {
         };
         let regression = &prepared.regression;
         let curve = free_curve(&regression.problem, &regression.noise, model, joint);
-        let curve = curve.filter(|curve| curve.ln_odds > PRICE);
         let curve = curve.map(|curve| Curve {
             ln_odds: curve.ln_odds,
             pieces: curve.freedom.clamp(fewest::OF_A_PART, MOST_KNOTS - 1),
             direction: direction(curve.direction),
         });
+        let single = prepared.survey.joints.len() == 1;
+        let ends = single.then(|| pulled_at_its_ends(&prepared.regression, &fit, joint));
+        let likelier = curve.into_iter().chain(ends.flatten());
+        let curve = likelier
+            .max_by(|a, b| a.ln_odds.total_cmp(&b.ln_odds))
+            .filter(|curve| curve.ln_odds > PRICE);
         let own = curve.as_ref().map_or(0.0, |curve| curve.ln_odds - PRICE);
         Self {
             ln_evidence: fit.ln_evidence + own,
@@ -81,6 +92,57 @@ impl FitWithCurve {
             None => self.fit,
         }
     }
+}
+
+/// How much likelier the samples are, as a logarithm, with two pulls along the joint's motion that grow exponentially
+/// towards the ends of its range, of independent sizes t in units of the noise. With B their columns projected
+/// orthogonal to the fit and r its residual,
+///
+/// ```text
+/// ln E = −½ Σ ln(1 + t² e_k) − (m/2) ln(1 − Σ t² z_k²/(1 + t² e_k) / rss),   e, U: eigen of BᵀB,   z = Uᵀ Bᵀ r
+/// ```
+fn pulled_at_its_ends(regression: &Regression, reduced: &Fit, joint: usize) -> Option<Curve> {
+    let direction = Direction::Tangential(joint);
+    let free = regression
+        .placed(over(joint, direction, MOST_KNOTS - 1))
+        .white;
+    // One unit of the curve moves a sample by one unit of its noise, in the mean.
+    let samples = regression.rows.samples.len().max(1) as f64;
+    let unit = free.column_sum().norm_squared().max(free.norm_squared()) / samples;
+    let (total, m) = (regression.rounded(reduced.rss), regression.m());
+    let of_length = |length: f64| {
+        let root = DMatrix::from_fn(MOST_KNOTS, 2, |row, end| {
+            let from_low = row as f64 / (MOST_KNOTS - 1) as f64;
+            let away = if end == 0 { from_low } else { 1.0 - from_low };
+            (-away / length).exp()
+        });
+        let mut columns = &*free * root / unit.sqrt();
+        reject_all(&reduced.basis.q, &mut columns);
+        let own = eigen(columns.tr_mul(&columns));
+        let z = own.eigenvectors.tr_mul(&columns.tr_mul(&reduced.residual));
+        let of_size = |size: f64| {
+            let t2 = size * size;
+            let (mut determinant, mut gain) = (0.0, 0.0);
+            for (e, z) in own.eigenvalues.iter().zip(&z) {
+                let wider = 1.0 + t2 * e.max(0.0);
+                determinant += wider.ln();
+                gain += t2 * z * z / wider;
+            }
+            let share = (gain / total.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
+            -0.5 * determinant - 0.5 * m * (-share).ln_1p()
+        };
+        let sizes = (0..15).map(|k| of_size(0.2 * 2.0_f64.powi(k)));
+        sizes.fold(f64::NEG_INFINITY, f64::max)
+    };
+    let best = PULLS
+        .map(of_length)
+        .into_iter()
+        .fold(f64::NEG_INFINITY, f64::max);
+    (unit > 0.0).then_some(Curve {
+        ln_odds: best,
+        pieces: MOST_IN_A_PERIOD,
+        direction,
+    })
 }
 
 /// A polygon over a joint.
