@@ -95,6 +95,14 @@ fn where_the_robot_comes_from_and_the_frame_of_its_program_are_typed() {
         &window,
         "Frame of the program: 2 numbers; expected X,Y,Z"
     ));
+    type_into(&mut window, frame, "0,0,1");
+    let tool = "Tool of the program: X,Y,Z[,A,B,C|,QW,QX,QY,QZ]|NAME";
+    type_into(&mut window, tool, "0,0,90");
+    let with_tool = lines(&window);
+    assert!(!with_tool.is_empty() && with_tool != after);
+    let on_flange = "Tool of the model on the flange: X,Y,Z[,A,B,C|,QW,QX,QY,QZ]";
+    type_into(&mut window, on_flange, "0,0,90,0");
+    assert!(says(&window, "Tool of the model on the flange: 4 numbers"));
 }
 
 /// As it is where the system has no dialog for files: the program's path is typed, or it is dropped.

@@ -31,9 +31,7 @@ pub(crate) struct CompensationRequest {
     pub(crate) tool: Precedence<Pose>,
     /// Whose frame (work object, base, user frame) holds.
     pub(crate) frame: Precedence<Pose>,
-    /// The program's frame and tool, the model's tool on the flange, and the joint values before the first target, as
-    /// they are typed.
-    pub(crate) typed: [String; 4],
+    pub(crate) typed: Typed,
     /// What external axes move that differ between targets.
     pub(crate) external: ExternalAxes,
 }
@@ -48,26 +46,45 @@ impl CompensationRequest {
             measured_frame: false,
             tool: Precedence::Unsettled,
             frame: Precedence::Unsettled,
-            typed: Default::default(),
+            typed: Typed::default(),
             external: ExternalAxes::Asked,
         }
     }
 }
 
-/// What [`CompensationRequest::typed`] is, and how it is written.
-pub(crate) fn stated_names() -> [(&'static str, &'static str); 4] {
-    [
-        (say!("Frame of the program"), "X,Y,Z[,A,B,C|,QW,QX,QY,QZ]"),
-        (
-            say!("Tool of the program"),
-            "X,Y,Z[,A,B,C|,QW,QX,QY,QZ]|NAME",
-        ),
-        (
-            say!("Tool of the model on the flange"),
-            "X,Y,Z[,A,B,C|,QW,QX,QY,QZ]",
-        ),
-        (say!("Joint values before the first target"), "Q1,Q2,…"),
-    ]
+/// What is typed as in the terminal; empty where nothing is stated.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Typed {
+    /// The program's frame.
+    pub(crate) frame: String,
+    /// The program's tool, or the name of the tool that is the model's.
+    pub(crate) tool: String,
+    /// The model's tool on the flange.
+    pub(crate) on_flange: String,
+    /// The joint values before the first target.
+    pub(crate) start: String,
+}
+
+impl Typed {
+    /// What each is called, how it is written, and what was typed.
+    pub(crate) fn fields(&mut self) -> [(&'static str, &'static str, &mut String); 4] {
+        let pose = "X,Y,Z[,A,B,C|,QW,QX,QY,QZ]";
+        let tool = "X,Y,Z[,A,B,C|,QW,QX,QY,QZ]|NAME";
+        [
+            (say!("Frame of the program"), pose, &mut self.frame),
+            (say!("Tool of the program"), tool, &mut self.tool),
+            (
+                say!("Tool of the model on the flange"),
+                pose,
+                &mut self.on_flange,
+            ),
+            (
+                say!("Joint values before the first target"),
+                "Q1,Q2,…",
+                &mut self.start,
+            ),
+        ]
+    }
 }
 
 /// Why nothing was corrected.
@@ -177,15 +194,17 @@ fn corrected(
         let cells = text.split(',').map(|cell| cell.trim().parse());
         cells.map(|cell| cell.unwrap_or(f64::NAN)).collect()
     };
-    let pose = |k: usize| {
-        let typed = (!wanted.typed[k].is_empty()).then(|| numbers(&wanted.typed[k]));
-        let stated = typed.map(|typed| language.orientation.stated(stated_names()[k].0, &typed));
+    let pose = |called: &str, typed: &str| {
+        let typed = (!typed.is_empty()).then(|| numbers(typed));
+        let stated = typed.map(|typed| language.orientation.stated(called, &typed));
         stated.transpose().map_err(|says| lines(&spoken(says)))
     };
-    let named = wanted.typed[1].starts_with(char::is_alphabetic);
-    let tool = if named { None } else { pose(1)? };
-    let (frame, on_flange) = (pose(0)?, pose(2)?);
-    let start = Some(&wanted.typed[3]).filter(|typed| !typed.is_empty());
+    let typed = &wanted.typed;
+    let named = typed.tool.starts_with(char::is_alphabetic);
+    let tool = if named { "" } else { &typed.tool };
+    let tool = pose(say!("Tool of the program"), tool)?;
+    let frame = pose(say!("Frame of the program"), &typed.frame)?;
+    let on_flange = pose(say!("Tool of the model on the flange"), &typed.on_flange)?;
     let answer = pipeline::compensate(&Request {
         calibration,
         bytes: &bytes,
@@ -199,10 +218,10 @@ fn corrected(
             })
             .collect(),
         load_kg: wanted.load_kg,
-        start: start.map(|typed| robot.in_base_units(&numbers(typed))),
+        start: (!typed.start.is_empty()).then(|| robot.in_base_units(&numbers(&typed.start))),
         frame,
         tool: if named {
-            Some(ModelTool::Named(wanted.typed[1].clone()))
+            Some(ModelTool::Named(typed.tool.clone()))
         } else {
             on_flange.map(ModelTool::OnFlange)
         },

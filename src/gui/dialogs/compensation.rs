@@ -5,7 +5,7 @@ use egui::{Align, Button, DragValue, Layout, RadioButton, RichText, ScrollArea, 
 use egui_extras::{Column, TableBuilder};
 
 use crate::explain::{self, Detail, Section, Topic};
-use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG, stated_names};
+use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::files;
 use crate::gui::style::{Palette, size, space, strong};
@@ -110,7 +110,7 @@ fn asked(
         one_of(ui, say!("External axis"), choices, &mut wanted.external);
     }
     ui.folded(say!("More"), |ui| {
-        for ((name, written), typed) in stated_names().iter().zip(&mut wanted.typed) {
+        for (name, written, typed) in wanted.typed.fields() {
             ui.form_row(name, |ui| {
                 let size = vec2(220.0, space::CONTROL);
                 let says = format!("{name}: {written}");
