@@ -32,7 +32,7 @@
 //! | more is left than noise: said to be explained or noise | 75 of 80 | 0 of 157 | 0 |
 //! | a frame that wanders, nothing hidden: a part of the machine named; of these a base offset or a scale of the instrument alone | 49 of 120; 36 | 6 of 180; 6 (an ideal test: 4 of these, 11 of 900) | ≤ 1 % |
 //! | the same: said that the frame wanders | 0 of 120 | 152 of 180 | |
-//! | one effect beside a frame that wanders, λ = 200, poses shuffled / in sweeps: exact | 40 of 107 | 73 of 76 / 70 of 79 | ≥ 95 % |
+//! | one effect beside a frame that wanders, λ = 200, poses shuffled / in sweeps: exact | 40 of 107 | 66 of 76 / 68 of 79 | ≥ 95 % |
 //! | one component of a vector effect, λ = 200: named or in the set | 72 of 84 | 279 of 280 | ≥ 99 % |
 //! | the same, λ = 100 | 72 of 84 | 277 of 280 | ≥ 99 % |
 //! | intervals of `identify`, ρ = 0.5 / 0.8 / slow noise | 82 / 65 / 70 % | 95.1 / 94.7 % of 1380 each / 93.1 % of 6400 | 93–97 % |

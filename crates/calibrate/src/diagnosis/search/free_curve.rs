@@ -12,9 +12,9 @@ use nalgebra::DMatrix;
 
 use crate::decompose::eigen;
 use crate::effects::{Over, Term};
-use crate::fewest;
 use crate::linear::reject_all;
 use crate::model::Model;
+use crate::{fewest, odds};
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
@@ -199,6 +199,21 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult) {
             found.fit = likeliest.into_fit(prepared, joint);
         }
     }
+}
+
+/// Names over a joint, with the joint, that the samples cannot distinguish from a curve.
+pub(crate) fn as_likely(prepared: &PreparedSearch, fit: &Fit) -> Option<(usize, Vec<Term>)> {
+    let of_joint = |joint: usize| {
+        let (names, kept) = over_joint(prepared, fit, joint);
+        let is_open = names.len() >= fewest::NO_ACCIDENT && kept.len() == fit.shapes.len();
+        let reduced = || FitWithCurve::of(prepared, &without(&fit.model, &names), &kept, joint);
+        let odds = is_open.then(|| reduced().ln_evidence - fit.ln_evidence);
+        odds.map(|odds| (odds, (joint, names)))
+    };
+    let all = (0..prepared.survey.joints.len()).filter_map(of_joint);
+    let likely = all.filter(|own| own.0 > -odds::OPEN.nats());
+    let best = likely.max_by(|a, b| a.0.total_cmp(&b.0));
+    best.map(|own| own.1)
 }
 
 /// The free curve that replaces a slow part of the noise, in addition to the names that do not follow the same joint:

@@ -30,6 +30,7 @@ use super::values::{Values, tails_of};
 use super::withheld::{StandIn, stand_in};
 use crate::answers::diagnosis::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
 use crate::diagnosis::search::SearchResult;
+use crate::diagnosis::search::free_curve;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::{PureError, pure_error};
 
@@ -106,6 +107,16 @@ fn without_a_size(
             named = called(&named)
         );
         return Some((description, vec![named]));
+    }
+    if let Some((joint, terms)) = free_curve::as_likely(prepared, &found.fit) {
+        let robot = &prepared.regression.base.robot;
+        let names: Vec<String> = terms.iter().map(|t| t.name_on(robot)).collect();
+        let description = text!(
+            "a smooth curve over joint {joint} explains as much as {effects} together",
+            joint = joint + 1,
+            effects = Text::listed(names.iter().map(|name| called(name)), ", ")
+        );
+        return Some((description, names));
     }
     let names = prepared.regression.added(&found.fit).len();
     let wander = wanders(values, names, floor);
