@@ -11,6 +11,8 @@ use std::collections::BTreeMap;
 use nalgebra::DMatrix;
 
 use crate::decompose::eigen;
+use crate::effects::survey::ENOUGH;
+use crate::effects::term::setting_quantity;
 use crate::effects::{Over, Term};
 use crate::linear::reject_all;
 use crate::model::Model;
@@ -201,6 +203,29 @@ pub(crate) fn rival(prepared: &PreparedSearch, found: &mut SearchResult) {
     }
 }
 
+/// Takes names over a joint out that are in the model together with a shape over it, where zero offset, names and
+/// shape have more parameters than half of the values at which it was measured: the residuals at these cannot
+/// contradict them, however often each was visited. (Evidence counts every visit, so that it does not show that.)
+pub(crate) fn withdraw_of_few_values(prepared: &PreparedSearch, found: &mut SearchResult) {
+    for (joint, survey) in prepared.survey.joints.iter().enumerate() {
+        let (names, kept) = over_joint(prepared, &found.fit, joint);
+        let own = |s: &&Placed| s.shape.variable == Variable::Joint(joint);
+        let shapes = found
+            .fit
+            .shapes
+            .iter()
+            .filter(own)
+            .map(|s| &s.shape.profile);
+        let of_shapes: usize = shapes.map(|s| s.count() + s.settings()).sum();
+        let numbers = 1 + numbers_of(&names) + of_shapes;
+        if of_shapes > 0 && !names.is_empty() && survey.values < ENOUGH.min(2 * numbers) {
+            let reduced = without(&found.fit.model, &names);
+            let reduced = FitWithCurve::of(prepared, &reduced, &kept, joint);
+            found.fit = reduced.into_fit(prepared, joint);
+        }
+    }
+}
+
 /// Names over a joint, with the joint, that the samples cannot distinguish from a curve.
 pub(crate) fn as_likely(prepared: &PreparedSearch, fit: &Fit) -> Option<(usize, Vec<Term>)> {
     let of_joint = |joint: usize| {
@@ -214,6 +239,15 @@ pub(crate) fn as_likely(prepared: &PreparedSearch, fit: &Fit) -> Option<(usize, 
     let likely = all.filter(|own| own.0 > -odds::OPEN.nats());
     let best = likely.max_by(|a, b| a.0.total_cmp(&b.0));
     best.map(|own| own.1)
+}
+
+/// Numbers that names have: coefficients and settings.
+fn numbers_of(names: &[Term]) -> usize {
+    let settings = |t: &Term| usize::from(setting_quantity(t.effect.about().setting).is_some());
+    names
+        .iter()
+        .map(|t| t.coefficients.len() + settings(t))
+        .sum()
 }
 
 /// The free curve that replaces a slow part of the noise, in addition to the names that do not follow the same joint:

@@ -70,7 +70,8 @@ pub(crate) fn searched<'a>(
     work.up_to(OTHER_SETS);
     test_at_the_end(&prepared, &mut found, watch)?;
     slowest::readings(&prepared, &mut found);
-    // 5. No name where few poses, the geometry, the rows or the set-up are the reason.
+    // 5. No name where few values or poses, the geometry, the rows or the set-up are the reason.
+    free_curve::withdraw_of_few_values(&prepared, &mut found);
     chosen_again::withdraw(&prepared, &mut found);
     base_misfit::withdraw(&prepared, &mut found);
     gross_error::withdraw(&prepared, &mut found);
