@@ -21,3 +21,6 @@ pub(crate) const WITHIN: f64 = 2.0;
 pub(crate) const FAR: f64 = 5.0;
 /// Less than any instrument shows, mm.
 pub(crate) const NOTHING_MM: f64 = 1e-3;
+/// Bends over the range of a joint of what is smooth over it, half-waves of cosines: one and two cycles of a turn have
+/// four, and what is outside of the catalogue may have twice as many.
+pub(crate) const BENDS: usize = 8;

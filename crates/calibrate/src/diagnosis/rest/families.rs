@@ -13,6 +13,7 @@ use crate::effects::{Inputs, Term};
 use crate::kinematics::{JointKind, Robot};
 use crate::numeric::extent;
 use crate::text::Text;
+use crate::thresholds::BENDS;
 
 /// Harmonics of a neighbour's value.
 const OF_NEIGHBOURS: usize = 2;
@@ -23,8 +24,6 @@ const HARMONICS: usize = 6;
 const NEIGHBOURS: usize = 2;
 /// Harmonics across a joint's axis.
 const ACROSS: usize = 3;
-/// Cosines of a smooth curve; a curve of so many bends.
-const BENDS: usize = 8;
 
 /// The kinds of families.
 #[derive(Debug, Clone, Copy, PartialEq)]

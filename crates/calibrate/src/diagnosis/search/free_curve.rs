@@ -16,7 +16,7 @@ use crate::effects::term::setting_quantity;
 use crate::effects::{Over, Term};
 use crate::linear::reject_all;
 use crate::model::Model;
-use crate::{fewest, odds};
+use crate::{fewest, numeric, odds};
 
 use super::found::SearchResult;
 use super::prepare::PreparedSearch;
@@ -283,14 +283,8 @@ pub(crate) fn comes_back(prepared: &PreparedSearch, joint: usize) -> bool {
         return false;
     };
     let q = &inputs.q[joint];
-    let extent = |values: &[f64]| {
-        let start = (f64::INFINITY, f64::NEG_INFINITY);
-        values
-            .iter()
-            .fold(start, |(a, b), v| (a.min(*v), b.max(*v)))
-    };
-    let (low, high) = extent(q);
-    let (first, last) = extent(times);
+    let [low, high] = numeric::extent(q.iter());
+    let [first, last] = numeric::extent(times);
     let width = (high - low) / BINS;
     let mut bins: BTreeMap<u64, (f64, f64, usize)> = BTreeMap::new();
     for (q, time) in q.iter().zip(times) {

@@ -2,7 +2,8 @@
 //! or an instrument that moved and turned (bolts that came loose, a tripod).
 //!
 //! The residuals of the fitted robot are regressed on the motion of each joint from a row on, together with every
-//! column of the base model and what else may look like a step: waves over each joint, its side of approach, a drift.
+//! column of the base model and what else may look like a step: what repeats over each joint, its side of approach, a
+//! drift.
 //! The gain of a step at row k, with the column's part along the base projected out,
 //!
 //! ```text
@@ -29,6 +30,7 @@ use crate::set_up_errors::fits::fitted;
 use crate::set_up_errors::residuals::{MOST, Motion, Projected, Residuals, joined};
 use crate::set_up_errors::rows::{Part, RowsInOrder};
 use crate::set_up_errors::thresholds;
+use crate::thresholds::BENDS;
 
 /// Rows that are looked at.
 const MOST_ROWS: usize = 240;
@@ -45,9 +47,6 @@ const SHARP: f64 = 8.0;
 const NEIGHBOUR_SHARE: f64 = 1.0 / 15.0;
 /// The logarithm by which the home has to be likelier than a target or a frame that moved.
 const LIKELIER: f64 = 3.0;
-/// Half-waves over the range of a joint up to which its error may repeat: one and two cycles of a turn have four, and
-/// what is outside the catalogue may have twice as many.
-const HALF_WAVES: usize = 8;
 /// How often sizes are fitted again with what they corrected.
 const ROUNDS: usize = 3;
 
@@ -113,7 +112,7 @@ impl Residuals {
         columns.map(|own| self.times(&own, is_after)).collect()
     }
 
-    /// What else may look like a step: waves over each joint, its side of approach, a drift of its home and of the
+    /// What else may look like a step: what repeats over each joint, its side of approach, a drift of its home and of the
     /// frame.
     fn rivals(&self, few: &Session) -> Vec<DVector<f64>> {
         let mut all = Vec::new();
@@ -167,7 +166,7 @@ impl Residuals {
         };
         let joints = || 0..self.joints.len();
         let scales = joints().map(|joint| over_range(joint, &|at| at));
-        let waves = (1..=HALF_WAVES).flat_map(|halves| {
+        let waves = (1..=BENDS).flat_map(|halves| {
             let wave = move |at: f64| (halves as f64 * std::f64::consts::PI * at).cos();
             joints().map(move |joint| over_range(joint, &wave))
         });
