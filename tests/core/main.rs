@@ -42,6 +42,7 @@ mod foreign_files;
 mod fuzz_smoke;
 mod gate;
 mod gear_ratio;
+mod guides;
 mod hostile;
 mod house;
 mod imports;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::effects::Inputs;
+use crate::effects::{EACH_DIRECTION, Inputs, Term};
 use crate::model::Model;
 use crate::observations::rows::ObservedRows;
 
@@ -275,6 +275,16 @@ impl<'a> Rows<'a> {
     pub fn points(&self, model: &Model) -> Vec<[f64; 3]> {
         let predicted = model.predict(&self.inputs);
         (0..self.samples.len()).map(|i| predicted.get(i)).collect()
+    }
+
+    /// The derivatives of the rows with respect to each of the [moves](crate::effects::rest::MOVES) of a joint's link.
+    pub fn moves_of(&self, model: &Model, joint: usize) -> Vec<DVector<f64>> {
+        let probe = Term::absent(&EACH_DIRECTION, joint, 0.0);
+        let with = model.with_term(probe.clone());
+        let (_, all) = self.extract(&with);
+        let columns = with.columns().enumerate();
+        let own = columns.filter(|(_, (term, _))| term.same_column(&probe));
+        own.map(|(k, _)| all.column(k).into_owned()).collect()
     }
 
     /// The change of the rows by displaced targets, each by so many mm along x, y, z.

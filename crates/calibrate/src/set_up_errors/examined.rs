@@ -42,11 +42,8 @@ impl Examined {
         })
     }
 
-    /// Waves of one and two cycles a turn over each joint.
+    /// Waves of one and two cycles a turn over each joint, and what guides do.
     pub(super) fn waves(&self) -> Vec<DVector<f64>> {
-        let orders = [1.0, 2.0].into_iter();
-        orders
-            .flat_map(|order| self.residuals.waves(&self.few, order))
-            .collect()
+        self.residuals.waves(&self.few, &[1.0, 2.0])
     }
 }

@@ -86,7 +86,7 @@ impl<'a> Sag<'a> {
         }
         let turning = |j: &usize| few.robot.joints[*j].kind == JointKind::Revolute;
         let joints: Vec<usize> = (0..few.robot.joints.len()).filter(turning).collect();
-        let (mut own, mut rivals) = (Vec::new(), residuals.waves(few, 1.0));
+        let (mut own, mut rivals) = (Vec::new(), residuals.waves(few, &[1.0]));
         for &joint in &joints {
             let motion = &residuals.joints[joint];
             for along in 0..3 {

@@ -18,6 +18,9 @@ use super::fits::fitted;
 const SMALL: f64 = 1e-5;
 /// Rows that are farther off than so many times the median are wrong in themselves.
 const WRONG: f64 = 8.0;
+/// Powers of the travel by which a guide may move its carriage: of a parabola, which is what all else may look like, and
+/// two more.
+const GUIDE_POWERS: i32 = 4;
 /// Most numbers of what may move at a row.
 pub(super) const MOST: usize = 6;
 
@@ -30,6 +33,9 @@ pub(super) struct Residuals {
     pub(super) base: DMatrix<f64>,
     /// Of each joint, per unit.
     pub(super) joints: Vec<DVector<f64>>,
+    /// What a guide that is not straight does to its carriage: a joint that slides among others, its moves across it and
+    /// its turns, per unit.
+    guides: Vec<(usize, DVector<f64>)>,
     /// Of the frame: turns about x, y, z and moves along them, by sample.
     pub(super) frame: Motion,
     /// Of a target.
@@ -75,6 +81,7 @@ impl Residuals {
             (&residual - there) / SMALL
         };
         let joints: Vec<DVector<f64>> = (0..few.robot.joints.len()).map(turned).collect();
+        let guides = carried(few, &rows, model);
         let points = rows.points(model);
         let mean = points
             .iter()
@@ -124,6 +131,7 @@ impl Residuals {
             residual,
             base,
             joints,
+            guides,
             frame,
             target,
             expected: points,
@@ -168,6 +176,9 @@ impl Residuals {
             self.may_move_at = (0..n).map(begins).collect();
             self.filter = Some(noise.filter(&rows));
             self.joints = self.joints.iter().map(in_mm).collect();
+            for (_, own) in &mut self.guides {
+                *own = in_mm(own);
+            }
             (self.residual, self.base) = (residual, base);
             self.whiten();
         }
@@ -178,6 +189,10 @@ impl Residuals {
     fn whiten(&mut self) {
         let all = std::mem::take(&mut self.joints).into_iter();
         self.joints = all.map(|column| self.whitened(column)).collect();
+        let all = std::mem::take(&mut self.guides).into_iter();
+        self.guides = all
+            .map(|(joint, own)| (joint, self.whitened(own)))
+            .collect();
         self.residual = self.whitened(self.residual.clone());
         for k in 0..self.base.ncols() {
             let own = self.whitened(self.base.column(k).clone_owned());
@@ -206,20 +221,28 @@ impl Residuals {
         DVector::from_fn(column.len(), |row, _| column[row] * factor(row % self.n))
     }
 
-    /// Waves of so many cycles a turn over each joint; of a slide over its travel.
-    pub(super) fn waves(&self, few: &Session, order: f64) -> Vec<DVector<f64>> {
+    /// What repeats over each joint: waves of so many cycles a turn, of a slide over its travel; and what its guide does.
+    pub(super) fn waves(&self, few: &Session, orders: &[f64]) -> Vec<DVector<f64>> {
         let mut all = Vec::new();
-        for (joint, own) in self.joints.iter().enumerate() {
-            let q = &few.samples.q[joint];
-            let cycle = match few.robot.joints[joint].kind {
-                JointKind::Revolute => order,
-                JointKind::Prismatic => {
-                    let [low, high] = numeric::extent(q);
-                    order * std::f64::consts::TAU / (high - low).max(1e-9)
-                }
-            };
-            all.push(self.times(own, |i| (cycle * q[i]).sin()));
-            all.push(self.times(own, |i| (cycle * q[i]).cos()));
+        for order in orders {
+            for (joint, own) in self.joints.iter().enumerate() {
+                let q = &few.samples.q[joint];
+                let cycle = match few.robot.joints[joint].kind {
+                    JointKind::Revolute => *order,
+                    JointKind::Prismatic => {
+                        let [low, high] = numeric::extent(q);
+                        order * std::f64::consts::TAU / (high - low).max(1e-9)
+                    }
+                };
+                all.push(self.times(own, |i| (cycle * q[i]).sin()));
+                all.push(self.times(own, |i| (cycle * q[i]).cos()));
+            }
+        }
+        for (joint, own) in &self.guides {
+            let q = &few.samples.q[*joint];
+            let [low, high] = numeric::extent(q);
+            let at = |i: usize| (2.0 * q[i] - low - high) / (high - low).max(1e-9);
+            all.extend((1..=GUIDE_POWERS).map(|power| self.times(own, |i| at(i).powi(power))));
         }
         all
     }
@@ -234,6 +257,20 @@ impl Residuals {
         let columns = (0..count).map(|k| self.column(|i| motion[i][k]));
         columns.collect()
     }
+}
+
+/// The columns of what the guides of a robot of several joints do, the motion of the joint first.
+fn carried(few: &Session, rows: &Rows, model: &Model) -> Vec<(usize, DVector<f64>)> {
+    let joints = &few.robot.joints;
+    let slides = |joint: &usize| joints.len() > 1 && joints[*joint].kind == JointKind::Prismatic;
+    let of_joint = |joint: usize| {
+        let moves = rows.moves_of(model, joint).into_iter();
+        moves.map(move |own| (joint, own))
+    };
+    (0..joints.len())
+        .filter(slides)
+        .flat_map(of_joint)
+        .collect()
 }
 
 /// Columns side by side.

@@ -50,7 +50,7 @@ pub(super) fn settles(_: &Session, values: JointValues, examined: &Examined) -> 
         correction(by_mm).apply(&mut corrected);
         let (residuals, after_mm) = Residuals::after_a_fit(&corrected, values)?;
         residual_mm = after_mm;
-        let projected = Projected::of(&residuals, &residuals.waves(&corrected, 1.0))?;
+        let projected = Projected::of(&residuals, &residuals.waves(&corrected, &[1.0]))?;
         let column = along_sight(&corrected, &residuals, from_s, tau_s)?;
         by_mm += projected.with(&[column]).0[0];
     }
@@ -78,7 +78,7 @@ fn settled(
     Examined { few, residuals, .. }: &Examined,
     [first_s, last_s]: [f64; 2],
 ) -> Option<(f64, f64, f64)> {
-    let projected = Projected::of(residuals, &residuals.waves(few, 1.0))?;
+    let projected = Projected::of(residuals, &residuals.waves(few, &[1.0]))?;
     let at_s = few.samples.time_s.as_ref()?;
     let (mut best, mut rivals) = ((0.0, 0.0, 0.0), 0.0_f64);
     for part in PARTS {

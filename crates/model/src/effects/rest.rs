@@ -1,4 +1,4 @@
-//! The numbers of what predicts without a name: gravity, conditions and waves, in three directions.
+//! The numbers of what predicts without a name: gravity, conditions and waves, in three directions and about them.
 //!
 //! ```text
 //! s(q) = Σ_k (u_k a_k + v_k b_k)·τ̂ + c_L τ_L + c_m τ_m + c_s dir + c_ω ω + c_T (T − 20 °C)
@@ -8,7 +8,7 @@
 //! The first sum is the sag of the joint under parts that turn with it and with the joints behind it, by
 //! moments along the directions across their axes (see `joint-compliance`), per unit of gravity.
 
-use super::curve::MOST_KNOTS;
+use super::curve::{DIRECTIONS, MOST_KNOTS};
 use crate::effects::joint_frame::JointFrame;
 use crate::kinematics::{JointKind, Robot};
 use crate::lanes::{add_scaled, cross, dot, turned};
@@ -17,6 +17,11 @@ use crate::lanes::{add_scaled, cross, dot, turned};
 const FADE: f64 = 0.25;
 /// Joints whose parts sag: the joint and two behind it; two moments each.
 pub const UNIT_SAGS: usize = 6;
+
+/// How a link is moved, in order: along the joint's motion, along its radius, along its axis (the directions of a curve),
+/// and turned about these. Only what slides is turned so: what a guide that is not straight does to its carriage (ISO
+/// 230-1: straightness, roll, pitch, yaw).
+pub const MOVES: usize = 2 * DIRECTIONS;
 
 /// The variables of a correction in addition to the joints' values, see [`Along::conditions`].
 pub const CONDITIONS: usize = 5;
@@ -44,15 +49,15 @@ pub struct Along {
     pub waves: Vec<Wave>,
 }
 
-/// Coefficients of what predicts without a name. Directions as those of a curve: along the joint's motion, radial, axial.
+/// Coefficients of what predicts without a name.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Rest {
     /// Measured range of every joint, rad or mm.
     pub ranges: Vec<[f64; 2]>,
     /// Measured range of each of the conditions; outside it the value at its end counts. Empty: not known.
     pub condition_ranges: Vec<[f64; 2]>,
-    /// The correction in each direction.
-    pub along: [Along; 3],
+    /// The correction by each of the [`MOVES`].
+    pub along: [Along; MOVES],
     /// Coefficients of everything else in the model, inner units, in a model without what has no name: for what cannot
     /// hold such a correction. Empty: not known.
     pub geometry_alone: Vec<f64>,
@@ -153,8 +158,8 @@ impl Rest {
         })
     }
 
-    /// The correction in each direction, rad or mm.
-    pub fn at(&self, at: &RestPoint) -> [f64; 3] {
+    /// The correction by each of the [`MOVES`], rad or mm.
+    pub fn at(&self, at: &RestPoint) -> [f64; MOVES] {
         // No separate memory for each sample of a usual robot.
         const USUAL: usize = 16;
         let count = at.q.len().min(self.ranges.len());

@@ -18,10 +18,11 @@ use super::block::Block;
 use super::curve::{Curve, DIRECTIONS};
 use super::joint_frame::JointFrame;
 use super::needs::Need;
+use super::rest::MOVES;
 use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::JointKind;
-use crate::lanes::{LANES, add_scaled, cross, minus, turned};
+use crate::lanes::{LANES, add_scaled, cross, dot, minus, turned};
 
 /// Its name in models.
 pub const UNEXPLAINED: &str = "unexplained";
@@ -60,8 +61,10 @@ fn act(me: &Placed, block: &mut Block) {
     let Some(curve) = &me.curve else { return };
     let q = |lane: usize| block.command(me.joint, lane);
     let dir = |lane: usize| block.side(me.joint, lane);
-    let values = std::array::from_fn(|lane| curve.at(q(lane), dir(lane)));
-    let slope = |lane| curve.slope(q(lane), dir(lane));
+    let straight =
+        |[motion, radial, axial]: [f64; DIRECTIONS]| [motion, radial, axial, 0.0, 0.0, 0.0];
+    let values = std::array::from_fn(|lane| straight(curve.at(q(lane), dir(lane))));
+    let slope = |lane| straight(curve.slope(q(lane), dir(lane)));
     let slopes = if block.by_command() {
         vec![(me.joint, std::array::from_fn(slope))]
     } else {
@@ -70,53 +73,77 @@ fn act(me: &Placed, block: &mut Block) {
     displaced(me, block, &values, &slopes);
 }
 
-/// Moves the points of a joint's link along its motion, along its radius and along its axis, and the
-/// derivatives with it; `slopes` are the derivatives of the three by the commands of some joints.
+/// Moves the points of a joint's link by each of the [`MOVES`], and the derivatives with it; `slopes` are the derivatives
+/// of the moves by the commands of some joints, taken to the first order of the turns (their squares are some 10⁻⁸). A
+/// joint that turns is not turned about anything else.
 pub(super) fn displaced(
     me: &Placed,
     block: &mut Block,
-    values: &[[f64; DIRECTIONS]; LANES],
-    slopes: &[(usize, [[f64; DIRECTIONS]; LANES])],
+    values: &[[f64; MOVES]; LANES],
+    slopes: &[(usize, [[f64; MOVES]; LANES])],
 ) {
     let (out, along) = across(&me.frame);
+    let origin = me.frame.origin_mm;
     let kind = block.robot.joints[me.joint].kind;
+    let directions = [along, out, cross(along, out)];
+    let sum = |by: &[f64]| {
+        let each = directions.iter().zip(by);
+        each.fold([0.0; 3], |sum, (direction, by)| {
+            add_scaled(sum, *direction, *by)
+        })
+    };
     block.transform(me, |x, at| {
-        let [motion, radial, axial] = values[at.lane];
+        let [motion, radial, axial, ..] = values[at.lane];
         match kind {
             JointKind::Revolute => {
                 let moved = add_scaled(add_scaled(x, out, radial), along, axial);
                 let (sin, cos) = motion.sin_cos();
                 let about = |v: [f64; 3]| turned(v, along, sin, cos);
-                let origin = me.frame.origin_mm;
                 let to = add_scaled(about(minus(moved, origin)), origin, 1.0);
-                let columns = AXES.map(about);
-                let jacobian = std::array::from_fn(|row| columns.map(|column| column[row]));
-                (to, jacobian, [])
+                (to, jacobian(about), [])
             }
             JointKind::Prismatic => {
+                let by = sum(&values[at.lane][DIRECTIONS..]);
+                let angle = dot(by, by).sqrt();
+                let (sin, cos) = angle.sin_cos();
+                let axis = by.map(|v| v / angle.max(f64::MIN_POSITIVE));
+                let about = |v: [f64; 3]| turned(v, axis, sin, cos);
+                let x = if angle > 0.0 {
+                    add_scaled(about(minus(x, origin)), origin, 1.0)
+                } else {
+                    x
+                };
                 let moved = add_scaled(add_scaled(x, out, radial), cross(along, out), axial);
-                (add_scaled(moved, along, motion), AXES, [])
+                (add_scaled(moved, along, motion), jacobian(about), [])
             }
         }
     });
     for (of, slope) in slopes {
         block.shift_by_command_of(me, *of, |x, at| {
             let [motion, ..] = values[at.lane];
-            let [turn, radial, axial] = slope[at.lane];
+            let [turn, radial, axial, ..] = slope[at.lane];
             match kind {
                 JointKind::Revolute => {
                     let (sin, cos) = motion.sin_cos();
                     let shift = add_scaled(out.map(|v| v * radial), along, axial);
                     let shift = turned(shift, along, sin, cos);
-                    add_scaled(shift, cross(along, minus(x, me.frame.origin_mm)), turn)
+                    add_scaled(shift, cross(along, minus(x, origin)), turn)
                 }
                 JointKind::Prismatic => {
-                    let shift = add_scaled(out.map(|v| v * radial), cross(along, out), axial);
-                    add_scaled(shift, along, turn)
+                    let shift = sum(&slope[at.lane][..DIRECTIONS]);
+                    let turned = minus(minus(x, origin), sum(&values[at.lane][..DIRECTIONS]));
+                    let by = cross(sum(&slope[at.lane][DIRECTIONS..]), turned);
+                    add_scaled(shift, by, 1.0)
                 }
             }
         });
     }
+}
+
+/// The derivatives of where a point is turned by where it was.
+fn jacobian(about: impl Fn([f64; 3]) -> [f64; 3]) -> [[f64; 3]; 3] {
+    let columns = AXES.map(about);
+    std::array::from_fn(|row| columns.map(|column| column[row]))
 }
 
 const ABOUT_DIRECTIONS: About = About {
@@ -126,23 +153,37 @@ const ABOUT_DIRECTIONS: About = About {
         Quantity::new("motion_rad", Unit::RADIAN),
         Quantity::new("radial_mm", Unit::MM),
         Quantity::new("axial_mm", Unit::MM),
+        Quantity::new("about_motion_rad", Unit::RADIAN),
+        Quantity::new("about_radial_rad", Unit::RADIAN),
+        Quantity::new("about_axial_rad", Unit::RADIAN),
     ]),
     needs: &[],
     ..ABOUT
 };
 
-/// The derivatives of the points with respect to a constant in each direction of a curve: what a
-/// fit of the curve starts from. It moves nothing.
+/// The derivatives of the points with respect to a constant in each of the [`MOVES`]: what a fit of a correction starts
+/// from. It moves nothing.
 pub static EACH_DIRECTION: Effect = Effect::new(ABOUT_DIRECTIONS, differentiate);
 
 fn differentiate(me: &Placed, block: &mut Block) {
     let (out, along) = across(&me.frame);
     let kind = block.robot.joints[me.joint].kind;
     block.transform(me, |x, _| {
-        let columns = match kind {
-            JointKind::Revolute => [cross(along, minus(x, me.frame.origin_mm)), out, along],
+        let arm = minus(x, me.frame.origin_mm);
+        let [motion, radial, axial] = match kind {
+            JointKind::Revolute => [cross(along, arm), out, along],
             JointKind::Prismatic => [along, out, cross(along, out)],
         };
+        let [about_motion, about_radial, about_axial] =
+            [along, out, cross(along, out)].map(|axis| cross(axis, arm));
+        let columns = [
+            motion,
+            radial,
+            axial,
+            about_motion,
+            about_radial,
+            about_axial,
+        ];
         (x, AXES, columns)
     });
 }

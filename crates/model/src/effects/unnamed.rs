@@ -5,6 +5,9 @@
 //! p = exp([ξ] w s_t) (p + w s_r r + w s_a a),   s_d(q, conditions) a [`Rest`], w its fade
 //! ```
 //!
+//! Of a prismatic joint p is turned first, by w s about each of the three directions, about the point of its axis that
+//! the robot's description names.
+//!
 //! Not an effect of the catalogue: nothing is claimed of its cause. It has no coefficients. Outside the
 //! measured range of the joints that it follows it fades to nothing.
 
@@ -19,7 +22,7 @@ use super::{Effect, Inputs, Placed, Term};
 use crate::kinematics::{JointKind, Robot};
 use crate::lanes::LANES;
 
-use super::rest::{Rest, RestPoint};
+use super::rest::{MOVES, Rest, RestPoint};
 
 /// The name under which it is written in models.
 pub const UNNAMED: &str = "unnamed";
@@ -61,7 +64,7 @@ fn act(me: &Placed, block: &mut Block) {
     let mut poses: Vec<RestPoint> = (0..LANES)
         .map(|lane| at(robot, block, me.joint, lane))
         .collect();
-    let values: [[f64; 3]; LANES] = std::array::from_fn(|lane| rest.at(&poses[lane]));
+    let values: [[f64; MOVES]; LANES] = std::array::from_fn(|lane| rest.at(&poses[lane]));
     let mut slopes = Vec::new();
     if block.by_command() {
         for joint in (0..joints).filter(|j| rest.follows(me.joint, *j)) {
@@ -69,7 +72,7 @@ fn act(me: &Placed, block: &mut Block) {
                 JointKind::Revolute => STEP[0],
                 JointKind::Prismatic => STEP[1],
             };
-            let mut slope = [[0.0; 3]; LANES];
+            let mut slope = [[0.0; MOVES]; LANES];
             for (pose, slope) in poses.iter_mut().zip(&mut slope) {
                 let here = pose.q[joint];
                 pose.q[joint] = here + step;
@@ -139,5 +142,104 @@ fn at<'r>(robot: &'r Robot, block: &Block, joint: usize, lane: usize) -> RestPoi
         side: block.side(joint, lane),
         speed: block.speed(joint, lane),
         above_20_c: block.above_20_c(joint, lane),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::rest::{MOVES, Wave};
+    use crate::kinematics::{Axis, Joint, Pose, RobotSource};
+    use crate::lanes::{add_scaled, cross, minus};
+    use crate::model::Model;
+
+    /// A slide along x that carries one along y.
+    fn gantry() -> Robot {
+        let mut robot = crate::testing::column();
+        let slide = |direction: nalgebra::UnitVector3<f64>| Joint {
+            kind: JointKind::Prismatic,
+            axis: Axis {
+                direction,
+                point_mm: nalgebra::Point3::new(20.0, 30.0, 40.0),
+            },
+            ..robot.joints[0].clone()
+        };
+        robot.joints = vec![
+            slide(nalgebra::Vector3::x_axis()),
+            slide(nalgebra::Vector3::y_axis()),
+        ];
+        robot.base_from_tool = Pose::translation(100.0, 200.0, 300.0);
+        robot.source = RobotSource::default();
+        robot
+    }
+
+    /// The first slide is moved and turned in every way, by a wave of its own value each.
+    fn rest() -> Rest {
+        let mut rest = Rest {
+            ranges: vec![[0.0, 1000.0], [0.0, 500.0]],
+            ..Rest::default()
+        };
+        let sizes = [0.1, 0.2, -0.3, 1e-4, -2e-4, 3e-4];
+        for (k, (along, size)) in rest.along.iter_mut().zip(sizes).enumerate() {
+            along.waves.push(Wave {
+                orders: vec![0.004 * (k + 1) as f64, 0.0],
+                sine: size,
+                cosine: 0.5 * size,
+            });
+        }
+        rest
+    }
+
+    #[test]
+    fn a_carriage_is_turned_about_the_point_of_its_axis_and_then_moved() {
+        let model = Model::nominal(gantry()).with_term(Term::unnamed(0, rest()));
+        let q = vec![vec![120.0, 480.0, 910.0], vec![400.0, 10.0, 250.0]];
+        let inputs = Inputs::at_poses(q, vec![[100.0, 200.0, 300.0]]);
+        let predicted = model.predict(&inputs);
+        let (out, origin) = (
+            crate::effects::joint_frame::JointFrame::new(&gantry(), 0).plane_of_motion()[0],
+            [20.0, 30.0, 40.0],
+        );
+        let along = [1.0, 0.0, 0.0];
+        let directions = [along, out, cross(along, out)];
+        for i in 0..3 {
+            let [x, y] = [0, 1].map(|joint| inputs.q[joint][i]);
+            let by: [f64; MOVES] = std::array::from_fn(|k| {
+                let wave = &rest().along[k].waves[0];
+                let phase = wave.orders[0] * x;
+                wave.sine * phase.sin() + wave.cosine * phase.cos()
+            });
+            let sum = |by: &[f64]| {
+                let each = directions.iter().zip(by);
+                each.fold([0.0; 3], |sum, (d, by)| add_scaled(sum, *d, *by))
+            };
+            let turn = nalgebra::Rotation3::new(nalgebra::Vector3::from(sum(&by[3..])));
+            let arm = minus([100.0, 200.0 + y, 300.0], origin);
+            let turned: [f64; 3] = (turn * nalgebra::Vector3::from(arm)).into();
+            let moved = add_scaled(add_scaled(turned, origin, 1.0), sum(&by[..3]), 1.0);
+            let off = minus(predicted.get(i), add_scaled(moved, along, x));
+            assert!(off.iter().all(|v| v.abs() < 1e-10), "{i}: {off:?}");
+        }
+    }
+
+    #[test]
+    fn the_slopes_by_commands_are_those_of_the_points() {
+        let model = Model::nominal(gantry()).with_term(Term::unnamed(0, rest()));
+        let at = |by: [f64; 2]| {
+            let q = vec![vec![480.0 + by[0]], vec![210.0 + by[1]]];
+            Inputs::at_poses(q, vec![[100.0, 200.0, 300.0]])
+        };
+        let mut slopes = Vec::new();
+        model.visit_by_commands(&at([0.0; 2]), |_, block| slopes.clone_from(&block.columns));
+        for joint in 0..2 {
+            let [below, above] = [-1e-3, 1e-3].map(|by| {
+                let mut moved = [0.0; 2];
+                moved[joint] = by;
+                model.predict(&at(moved)).get(0)
+            });
+            let expected = minus(above, below).map(|d| d / 2e-3);
+            let off = minus([0, 1, 2].map(|axis| slopes[joint][axis][0]), expected);
+            assert!(off.iter().all(|v| v.abs() < 1e-6), "{joint}: {off:?}");
+        }
     }
 }

@@ -37,8 +37,9 @@ pub enum Direction {
     Radial,
     /// Along the axis of the single joint.
     Axial,
-    /// Across the motion of the single joint that slides, in one of two directions.
-    Across(usize),
+    /// Across the motion of a joint (the first number) that slides, or as its guide turns it: the second is that of its
+    /// [moves](crate::effects::rest::MOVES).
+    Guide(usize, usize),
     /// x, y, z of the measuring frame: three columns.
     Frame,
     /// One of the measured axes of the measuring frame.
@@ -284,7 +285,9 @@ impl Shape {
             Direction::Tangential(j) => text!("along the motion of joint {joint}", joint = j + 1),
             Direction::Radial => text!("along the radius"),
             Direction::Axial => text!("along the axis"),
-            Direction::Across(_) => text!("across the guide"),
+            Direction::Guide(_, 1 | 2) => text!("across the guide"),
+            Direction::Guide(_, 3) => text!("as a roll of the carriage"),
+            Direction::Guide(..) => text!("as a pitch or yaw of the carriage"),
             Direction::Frame | Direction::Along(_) => text!("in the measuring frame"),
             Direction::Body => text!("with the moving body"),
         };

@@ -24,7 +24,7 @@ pub(crate) struct ShapeSpace {
     frame: Vec<DVector<f64>>,
     pub(crate) variables: Vec<(Variable, Vec<f64>)>,
     pub(crate) tangential: Vec<DVector<f64>>,
-    /// Across the motion of a single joint, where the rows show it.
+    /// Across the motion of a single joint, and what guides do among several joints, where the rows show it.
     pub(crate) across: Vec<(Direction, DVector<f64>)>,
     angle: Vec<f64>,
     base: Model,
@@ -47,7 +47,7 @@ impl ShapeSpace {
             .fold(start, |(a, b), v| (a.min(*v), b.max(*v)))
     }
 
-    /// A direction across the motion of the single joint.
+    /// A direction across the motion of a joint.
     fn along(&self, across: Direction) -> Option<&DVector<f64>> {
         let found = self
             .across
@@ -56,13 +56,21 @@ impl ShapeSpace {
         found.map(|(_, direction)| direction)
     }
 
+    /// Along the motion of the first joint and, of a single one, across it.
+    fn body(&self) -> impl Iterator<Item = &DVector<f64>> {
+        let single = self.survey.joints.len() == 1;
+        let across = self.across.iter().filter(move |_| single);
+        let across = across.map(|(_, direction)| direction);
+        self.tangential.iter().take(1).chain(across)
+    }
+
     /// Number of a shape's columns.
     pub(crate) fn width(&self, shape: &Shape) -> usize {
         let directions = match shape.direction {
             Direction::Tangential(_) => 1,
             Direction::Frame => self.frame_axes(),
             Direction::Along(axis) => usize::from(axis < self.frame_axes()),
-            Direction::Body => usize::from(!self.tangential.is_empty()) + self.across.len(),
+            Direction::Body => self.body().count(),
             across => usize::from(self.along(across).is_some()),
         };
         shape.profile.count() * directions
@@ -79,15 +87,7 @@ impl ShapeSpace {
             Direction::Tangential(j) => vec![self.tangential[j].clone()],
             Direction::Frame => (0..self.frame_axes()).map(|a| self.frame_axis(a)).collect(),
             Direction::Along(axis) => vec![self.frame_axis(axis)],
-            Direction::Body => {
-                let across = self.across.iter().map(|(_, direction)| direction);
-                self.tangential
-                    .iter()
-                    .take(1)
-                    .chain(across)
-                    .cloned()
-                    .collect()
-            }
+            Direction::Body => self.body().cloned().collect(),
             across => self.along(across).into_iter().cloned().collect(),
         };
         let origin = shape.variable.origin(range);
@@ -272,17 +272,18 @@ pub(crate) fn tangential(rows: &Rows, base: &Model, joints: usize) -> Vec<DVecto
 }
 
 /// Unit directions of every row across the motion of a robot's single joint: radial and axial where it turns, two
-/// across its guide where it slides. What the rows do not show is left out.
+/// across its guide where it slides. Of several joints what the guide of each that slides does. What the rows do not
+/// show is left out.
 fn across_the_motion(rows: &Rows, base: &Model, survey: &Survey) -> Vec<(Direction, DVector<f64>)> {
     let [joint] = survey.joints.as_slice() else {
-        return Vec::new();
+        return of_guides(rows, base, survey);
     };
     let (origin, along) = (joint.frame.origin_mm, joint.frame.along);
     let constant = |direction: [f64; 3]| rows.displaced(base, |_| direction);
     let mut all = match joint.kind {
         JointKind::Prismatic => vec![
-            (Direction::Across(0), constant(joint.frame.across_1)),
-            (Direction::Across(1), constant(joint.frame.across_2)),
+            (Direction::Guide(0, 1), constant(joint.frame.across_1)),
+            (Direction::Guide(0, 2), constant(joint.frame.across_2)),
         ],
         JointKind::Revolute => {
             let points = rows.points(base);
@@ -303,6 +304,19 @@ fn across_the_motion(rows: &Rows, base: &Model, survey: &Survey) -> Vec<(Directi
             ]
         }
     };
+    all.retain(|(_, direction)| direction.norm() > rounding::COMPUTED);
+    all
+}
+
+/// What the guide of each joint that slides does to its carriage, per mm and rad.
+fn of_guides(rows: &Rows, base: &Model, survey: &Survey) -> Vec<(Direction, DVector<f64>)> {
+    let slides = |joint: &usize| survey.joints[*joint].kind == JointKind::Prismatic;
+    let mut all = Vec::new();
+    for joint in (0..survey.joints.len()).filter(slides) {
+        let moves = rows.moves_of(base, joint);
+        let across = moves.into_iter().enumerate().skip(1);
+        all.extend(across.map(|(k, column)| (Direction::Guide(joint, k), column)));
+    }
     all.retain(|(_, direction)| direction.norm() > rounding::COMPUTED);
     all
 }

@@ -29,7 +29,7 @@ pub(crate) fn shapes(
     }
     for joint in 0..survey.joints.len() {
         if survey.joints[joint].values >= fewest::TO_JUDGE {
-            over_angle(space, joint, missing.gear, &mut all);
+            over_angle(space, survey, joint, missing.gear, &mut all);
         }
     }
     if space.values(Variable::Time).is_some() {
@@ -39,7 +39,13 @@ pub(crate) fn shapes(
     all
 }
 
-fn over_angle(space: &ShapeSpace, joint: usize, waves: bool, all: &mut Vec<Shape>) {
+fn over_angle(
+    space: &ShapeSpace,
+    survey: &Survey,
+    joint: usize,
+    waves: bool,
+    all: &mut Vec<Shape>,
+) {
     let variable = Variable::Joint(joint);
     let (low, high) = space.range(variable);
     let span = high - low;
@@ -98,10 +104,19 @@ fn over_angle(space: &ShapeSpace, joint: usize, waves: bool, all: &mut Vec<Shape
         (direction, profile)
     };
     smooth.extend((1..=6).map(|k| periodic(tangential, k)));
-    for direction in space.across.iter().map(|(direction, _)| *direction) {
-        if matches!(direction, Direction::Across(_)) {
+    let own = |direction: &Direction| !matches!(direction, Direction::Guide(of, _) if *of != joint);
+    let across = space.across.iter().map(|(direction, _)| *direction);
+    for direction in across.filter(own) {
+        if matches!(direction, Direction::Guide(..)) {
             // Nothing turns: a guide is bent.
             smooth.push((direction, Profile::Square));
+            if survey.joints.len() > 1 {
+                let half_waves = |k: u32| Profile::Periodic {
+                    cycles: step * f64::from(k),
+                    harmonics: 1,
+                };
+                smooth.extend((1..=4).map(|k| (direction, half_waves(k))));
+            }
         } else {
             smooth.extend((1..=6).map(|k| periodic(direction, k)));
         }

@@ -178,7 +178,7 @@ fn extracted(
     let is_probe = |term: &Term| term.same_column(&probe);
     let residual = DMatrix::from_columns(&[residual]);
     [
-        of(&is_probe),
+        of(&is_probe).columns(0, DIRECTIONS).into_owned(),
         of(&|term| !is_probe(term) && fitted_with(term)),
         residual,
     ]

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::diagnosis::evidence::Folds;
 use crate::diagnosis::evidence::shares::{Gains, dealt};
-use crate::effects::curve::DIRECTIONS;
+use crate::effects::rest::MOVES;
 use crate::effects::{EACH_DIRECTION, Term};
 use crate::fit::base_model;
 use crate::fit::noise::Noise;
@@ -33,7 +33,7 @@ pub(super) struct Design<'a> {
     folds: Folds,
     families: Families,
     orders: usize,
-    /// Rows of a unit in each direction of each joint.
+    /// Rows of a unit of each of the moves of each joint.
     directions: DMatrix<f64>,
     /// The geometry's columns, the families' and the residual, with the rows of the priors below.
     whitened: Whitened,
@@ -323,7 +323,7 @@ impl<'a> Design<'a> {
         }
         let variance = residuals.norm_squared() / (self.rows.count().max(1) as f64);
         let joints = self.model.robot.joints.len();
-        let motions: Vec<usize> = (0..joints).map(|j| j * DIRECTIONS).collect();
+        let motions: Vec<usize> = (0..joints).map(|j| j * MOVES).collect();
         let units = self.directions.select_columns(&motions);
         let residual = Residual {
             robot: &self.model.robot,
@@ -382,6 +382,9 @@ impl<'a> Design<'a> {
         let own = &solved.as_slice()[self.whitened.base..];
         let all = self.families.all.iter().zip(strengths);
         let over = all.filter(|(_, s)| **s > 0.0).map(|(f, _)| f.in_words());
-        Some((self.families.terms(own, joints), over.collect()))
+        let mut over: Vec<Text> = over.collect();
+        // The two directions of a guide have one name.
+        over.dedup();
+        Some((self.families.terms(own, joints), over))
     }
 }

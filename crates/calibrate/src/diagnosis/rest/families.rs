@@ -2,12 +2,13 @@
 //!
 //! Along the motion of a joint: gravity, what the conditions of measuring turn it by, harmonics of its
 //! own value and of those of its neighbours, a smooth curve over its range; across the joint's axis and
-//! along it: harmonics of its own value (a bearing that runs out or wobbles).
+//! along it: harmonics of its own value (a bearing that runs out or wobbles). What slides is displaced across its motion
+//! and turned in three directions by smooth curves over its travel: a guide is never straight.
 
 use nalgebra::DMatrix;
 
 use crate::effects::curve::DIRECTIONS;
-use crate::effects::rest::{Along, CONDITIONS, Rest, RestPoint, UNIT_SAGS, Wave, unit_sag};
+use crate::effects::rest::{Along, CONDITIONS, MOVES, Rest, RestPoint, UNIT_SAGS, Wave, unit_sag};
 use crate::effects::unnamed::asked_at;
 use crate::effects::{Inputs, Term};
 use crate::kinematics::{JointKind, Robot};
@@ -24,6 +25,9 @@ const HARMONICS: usize = 6;
 const NEIGHBOURS: usize = 2;
 /// Harmonics across a joint's axis.
 const ACROSS: usize = 3;
+/// The half-waves of what a guide does reach beyond its travel by this factor (Fourier extension; Boyd 2002): those of
+/// the travel itself are level at its ends, where a guide that sags between its supports is steepest.
+const BEYOND: f64 = 1.5;
 
 /// The kinds of families.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,6 +41,8 @@ pub(super) enum FamilyKind {
     Over(usize),
     /// Radial (1) or axial (2).
     Across(usize),
+    /// A smooth curve across the motion of a joint that slides (1, 2), or about one of its directions (3 to 5).
+    Guide(usize),
     /// A gear's order.
     Order(f64),
 }
@@ -129,14 +135,19 @@ impl Families {
         }
         let [from, to] = self.ranges[joint];
         if to > from {
-            let bend = |k: usize| {
-                let order = k as f64 * std::f64::consts::PI / (to - from);
-                (
-                    PoseFunction::Cosine { joint, order, from },
-                    (k as f64).powi(-2),
-                )
-            };
-            self.add(joint, FamilyKind::Curve, (1..=BENDS).map(bend).collect());
+            self.add(
+                joint,
+                FamilyKind::Curve,
+                bends(joint, BENDS, from, to - from),
+            );
+            // A single slide carries no arm that would show how it is turned; its curve has all directions.
+            if !turns(joint) && robot.joints.len() > 1 {
+                let count = (BENDS as f64 * BEYOND).ceil() as usize;
+                let curve = bends(joint, count, from, BEYOND * (to - from));
+                for direction in 1..MOVES {
+                    self.add(joint, FamilyKind::Guide(direction), curve.clone());
+                }
+            }
         }
         for other in
             joint.saturating_sub(NEIGHBOURS)..robot.joints.len().min(joint + NEIGHBOURS + 1)
@@ -195,7 +206,7 @@ impl Families {
 
     fn direction(&self, column: &Column) -> usize {
         match self.all[column.family].what {
-            FamilyKind::Across(direction) => direction,
+            FamilyKind::Across(direction) | FamilyKind::Guide(direction) => direction,
             _ => 0,
         }
     }
@@ -230,7 +241,7 @@ impl Families {
                 let at = poses.iter().zip(&sags);
                 let value: Vec<f64> = at.map(|(at, sags)| column.source.at(at, sags)).collect();
                 let mean = value.iter().sum::<f64>() / n as f64;
-                let unit = directions.column(joint * DIRECTIONS + self.direction(column));
+                let unit = directions.column(joint * MOVES + self.direction(column));
                 let of_column = &mut all.column_mut(k - first);
                 for (row, (to, unit)) in of_column.iter_mut().zip(unit.iter()).enumerate() {
                     *to = unit * column.size * (value[row % n] - mean);
@@ -300,6 +311,18 @@ fn pair(joint: usize, order: f64) -> [(PoseFunction, f64); 2] {
     [0.0, quarter].map(|from| (PoseFunction::Cosine { joint, order, from }, 1.0))
 }
 
+/// So many half-waves over a range, the shorter the weaker.
+fn bends(joint: usize, count: usize, from: f64, range: f64) -> Vec<(PoseFunction, f64)> {
+    let bend = |k: usize| {
+        let order = k as f64 * std::f64::consts::PI / range;
+        (
+            PoseFunction::Cosine { joint, order, from },
+            (k as f64).powi(-2),
+        )
+    };
+    (1..=count).map(bend).collect()
+}
+
 fn harmonics(joint: usize, count: usize) -> Vec<(PoseFunction, f64)> {
     (1..=count).flat_map(|k| pair(joint, k as f64)).collect()
 }
@@ -323,6 +346,9 @@ impl Family {
             FamilyKind::Over(other) => text!("over joint {joint}", joint = other + 1),
             FamilyKind::Across(1) => text!("radial harmonics"),
             FamilyKind::Across(_) => text!("axial harmonics"),
+            FamilyKind::Guide(direction) if direction < DIRECTIONS => text!("straightness"),
+            FamilyKind::Guide(DIRECTIONS) => text!("roll"),
+            FamilyKind::Guide(_) => text!("pitch or yaw"),
             FamilyKind::Order(order) => {
                 text!("{count} cycles per turn", count = format!("{order:.1}"))
             }
@@ -346,16 +372,16 @@ mod tests {
         let mut families = Families::of(robot, &inputs);
         families.add_order(0, 31.0);
         let joints = robot.joints.len();
-        let directions = DMatrix::from_element(3 * inputs.len(), joints * DIRECTIONS, 1.0);
+        let directions = DMatrix::from_element(3 * inputs.len(), joints * MOVES, 1.0);
         let shown = families.shown(robot, &inputs, &directions, 0);
         let coefficient = |k: usize| (k as f64 * 0.7).sin();
         let coefficients: Vec<f64> = (0..shown.ncols()).map(coefficient).collect();
         for term in families.terms(&coefficients, joints) {
             let rest = term.rest().unwrap();
             let poses = asked_at(robot, &inputs, term.joint);
-            let values: Vec<[f64; DIRECTIONS]> = poses.iter().map(|at| rest.at(at)).collect();
-            for direction in 0..DIRECTIONS {
-                let of = |values: &[f64; DIRECTIONS]| values[direction];
+            let values: Vec<[f64; MOVES]> = poses.iter().map(|at| rest.at(at)).collect();
+            for direction in 0..MOVES {
+                let of = |values: &[f64; MOVES]| values[direction];
                 let mean = values.iter().map(of).sum::<f64>() / values.len() as f64;
                 assert!(mean.abs() < 1e-9, "joint {}: {mean}", term.joint);
             }

@@ -55,8 +55,8 @@ impl FitWithCurve {
         let across = &prepared.regression.table.space.across;
         let direction = |k: usize| {
             let own = [
-                [Direction::Radial, Direction::Across(0)],
-                [Direction::Axial, Direction::Across(1)],
+                [Direction::Radial, Direction::Guide(joint, 1)],
+                [Direction::Axial, Direction::Guide(joint, 2)],
             ];
             let own = k.checked_sub(1).map(|k| own[k]);
             let measured = across.iter().map(|across| across.0);

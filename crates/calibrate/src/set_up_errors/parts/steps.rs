@@ -146,9 +146,7 @@ impl Residuals {
                 all.push(self.column(|i| self.frame[i][along] * time(i).powi(power)));
             }
         }
-        for order in [1.0, 2.0] {
-            all.extend(self.waves(few, order));
-        }
+        all.extend(self.waves(few, &[1.0, 2.0]));
         for own in &self.joints {
             all.push(self.times(own, |i| time(i) * time(i)));
         }

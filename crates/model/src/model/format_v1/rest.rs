@@ -7,13 +7,13 @@ use std::sync::Arc;
 use super::curve::LIST;
 use crate::document::object::{Cursor, Object, written};
 use crate::document::{Member, Value};
-use crate::effects::rest::{Along, Rest, Wave};
+use crate::effects::rest::{Along, MOVES, Rest, Wave};
 use crate::effects::{REST, Term};
 
 const OBJECT: Template = phrase!("an object with ranges_inner and what is added in each direction");
-/// Keys of each direction: moments, conditions, orders of the waves (one for each joint, wave after
+/// Keys of each move: moments, conditions, orders of the waves (one for each joint, wave after
 /// wave), their sines and their cosines.
-const KEYS: [[&str; 5]; 3] = [
+const KEYS: [[&str; 5]; MOVES] = [
     [
         "motion_moments_inner",
         "motion_conditions_inner",
@@ -35,6 +35,27 @@ const KEYS: [[&str; 5]; 3] = [
         "axial_sines_mm",
         "axial_cosines_mm",
     ],
+    [
+        "about_motion_moments_inner",
+        "about_motion_conditions_inner",
+        "about_motion_orders_inner",
+        "about_motion_sines_rad",
+        "about_motion_cosines_rad",
+    ],
+    [
+        "about_radial_moments_inner",
+        "about_radial_conditions_inner",
+        "about_radial_orders_inner",
+        "about_radial_sines_rad",
+        "about_radial_cosines_rad",
+    ],
+    [
+        "about_axial_moments_inner",
+        "about_axial_conditions_inner",
+        "about_axial_orders_inner",
+        "about_axial_sines_rad",
+        "about_axial_cosines_rad",
+    ],
 ];
 
 /// The lists as they are in the file.
@@ -43,7 +64,7 @@ struct Lists {
     ranges: Vec<f64>,
     condition_ranges: Vec<f64>,
     geometry_alone: Vec<f64>,
-    along: [[Vec<f64>; 5]; 3],
+    along: [[Vec<f64>; 5]; MOVES],
 }
 
 impl Lists {
@@ -73,7 +94,7 @@ impl Lists {
 
     /// `None` where the lists do not belong together.
     fn rest(&self, joints: usize) -> Option<Rest> {
-        let mut along: [Along; 3] = std::array::from_fn(|_| Along::default());
+        let mut along: [Along; MOVES] = std::array::from_fn(|_| Along::default());
         for (along, lists) in along.iter_mut().zip(&self.along) {
             let [moments, conditions, orders, sines, cosines] = lists;
             along.moments.clone_from(moments);
