@@ -30,6 +30,16 @@ impl Column {
         }
     }
 
+    /// A column that a reader made itself, and that nothing uses.
+    pub(crate) fn kept(name: &str, cells: Vec<String>) -> Self {
+        Self {
+            name: name.to_owned(),
+            number: 0,
+            role: Role::Kept,
+            cells: Cells::Text(cells),
+        }
+    }
+
     /// A column of names that a reader made itself.
     pub(crate) fn named(quantity: Quantity, names: Names) -> Self {
         Self {
@@ -170,6 +180,18 @@ impl Columns {
                 names.push(name);
             }
             self.list.push(Column::named(quantity, names));
+        }
+    }
+
+    /// Puts numbers where no column has this quantity.
+    pub(crate) fn put_missing(
+        &mut self,
+        quantity: Quantity,
+        unit: Unit,
+        values: impl FnOnce() -> Vec<f64>,
+    ) {
+        if self.find(quantity).is_none() {
+            self.put(Column::made(quantity, unit, values()));
         }
     }
 

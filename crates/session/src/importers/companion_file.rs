@@ -11,9 +11,9 @@ use crate::document::number::{ONCE, hexadecimal, quoted};
 use crate::importers::columns::Columns;
 use crate::importers::formats::{csv, tracker};
 use crate::importers::job::{Companion, Job};
-use crate::importers::matching::listed_names;
+use crate::importers::matching::{BEARABLE, listed_names};
 use crate::importers::role::Role;
-use crate::importers::settings::{About, Inspection, ReadContext, Reading};
+use crate::importers::settings::{About, ReadContext, Reading};
 use crate::sessions::Target;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::default_targets;
@@ -61,14 +61,7 @@ impl Job<'_> {
                 },
                 ..Reading::default()
             };
-            let mut context = ReadContext {
-                text: &text,
-                bytes: companion.bytes,
-                reading: &reading,
-                place: companion.place(),
-                found: Inspection::default(),
-                part: self.part,
-            };
+            let mut context = ReadContext::new(&text, companion.bytes, &reading, self.part);
             let columns = reader(&mut context);
             let columns = columns.filter(|_| !context.is_open());
             (context.found, columns)
@@ -105,7 +98,7 @@ impl Job<'_> {
         self.sentences.push(text!(
             "{found}: {name}",
             found = file,
-            name = encoding.to_string()
+            name = encoding.name()
         ));
         Ok(columns)
     }
@@ -184,10 +177,10 @@ impl Job<'_> {
                 Ok(vec![at_origin(name)])
             }
             _ => {
-                let names: Vec<String> = used.iter().map(|name| quoted(name)).collect();
+                let names = used.iter().map(|name| quoted(name));
                 let found = text!(
                     "several targets whose positions are not stated: {names}",
-                    names = listed_names(&names)
+                    names = listed_names(names, BEARABLE)
                 );
                 self.refuse(
                     self.place.clone(),

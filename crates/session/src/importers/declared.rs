@@ -11,10 +11,11 @@ use nalgebra::Point3;
 use super::options::{PLANE, SOCKET, SOCKET_DISTANCES};
 use crate::diagnostic::Rejected;
 use crate::document::number::quoted;
-use crate::importers::columns::{Column, Columns};
+use crate::importers::columns::{COORDINATES, Column, Columns};
 use crate::importers::job::Job;
-use crate::importers::matching::{listed, listed_names};
+use crate::importers::matching::{BEARABLE, listed, listed_names};
 use crate::importers::role::Role;
+use crate::importers::settings::wrong_value;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::{Anchor, Azimuth, Group, Plane, References, Socket, SocketDistance, Station};
 use crate::tables::{Cells, Names};
@@ -34,8 +35,7 @@ impl Job<'_> {
         self.one_for_all(columns, PLANE, Quantity::Plane);
         let has = |columns: &Columns, quantity| columns.find(quantity).is_some();
         // Beside points a column of the commands that is called `socket` is no more than text.
-        let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
-        if !coordinates.into_iter().any(|axis| has(columns, axis)) {
+        if !COORDINATES.into_iter().any(|axis| has(columns, axis)) {
             for quantity in [Quantity::Socket, Quantity::Plane, Quantity::Station] {
                 taken_from_commands(columns, quantity);
             }
@@ -111,8 +111,7 @@ impl Job<'_> {
     ) -> impl Iterator<Item = String> + use<> {
         let names = names_in(columns, quantity);
         if let Some(said) = said(&names, quantity, points) {
-            self.note(said.clone());
-            self.sentences.push(said);
+            self.say(said);
         }
         names.into_iter()
     }
@@ -130,8 +129,7 @@ impl Job<'_> {
                 said
             );
         }
-        self.note(said.clone());
-        self.sentences.push(said);
+        self.say(said);
         let anchor = |name: String| Anchor {
             position_mm: points.get(&name).copied(),
             name,
@@ -147,11 +145,7 @@ impl Job<'_> {
         match said.trim().parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(Some(value)),
             _ => {
-                let found = text!(
-                    "--{option}: {found}",
-                    option = ANCHOR_OFFSET,
-                    found = quoted(said)
-                );
+                let found = wrong_value(ANCHOR_OFFSET, said);
                 self.refuse(self.place.clone(), found, text!("a length in mm"))
             }
         }
@@ -179,11 +173,7 @@ impl Job<'_> {
             });
             let Some(read) = read else {
                 let names: Vec<&str> = sockets.iter().map(|socket| socket.name.as_str()).collect();
-                let found = text!(
-                    "--{option}: {found}",
-                    option = SOCKET_DISTANCES,
-                    found = quoted(one)
-                );
+                let found = wrong_value(SOCKET_DISTANCES, one);
                 let expected = text!(
                     "two of the sockets ({names}) and a length in mm, such as S1-S2=400",
                     names = names.join(", ")
@@ -199,8 +189,10 @@ impl Job<'_> {
 /// What is named, and which of the places are not known; `None` where nothing is named.
 fn said(names: &BTreeSet<String>, quantity: Quantity, points: &Points) -> Option<Text> {
     let group = Group::of_name(&quantity.heading(None))?;
-    let called: Vec<Text> = names.iter().map(|name| group.called(name)).collect();
-    let said = (!called.is_empty()).then(|| listed(&called))?;
+    if names.is_empty() {
+        return None;
+    }
+    let said = listed(names.iter().map(|name| group.called(name)), BEARABLE);
     let unknown = names.iter().filter(|name| !points.contains_key(*name));
     let unknown: Vec<String> = unknown.map(|name| quoted(name)).collect();
     Some(if unknown.is_empty() {
@@ -209,7 +201,7 @@ fn said(names: &BTreeSet<String>, quantity: Quantity, points: &Points) -> Option
         text!(
             "{said}; not known where, and to be fitted: {unknown}",
             said,
-            unknown = listed_names(&unknown)
+            unknown = listed_names(unknown, BEARABLE)
         )
     })
 }

@@ -61,12 +61,10 @@ impl Job<'_> {
                 columns.put(Column::made(quantity, Unit::Fixed, sides(&values)));
             }
         }
-        let sentence = text!(
+        self.say(text!(
             "the side of approach ({joints}) is that of the motion since the row before: the rows are in measuring order, as stated",
             joints
-        );
-        self.note(sentence.clone());
-        self.sentences.push(sentence);
+        ));
     }
 }
 

@@ -6,8 +6,9 @@
 
 use std::collections::BTreeMap;
 
+use crate::importers::columns::COORDINATES;
 use crate::importers::headings::{Words, is_among, words_and_unit};
-use crate::importers::role::Role;
+use crate::importers::role::{Role, has};
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
 
@@ -32,12 +33,7 @@ pub(crate) enum Families {
 
 /// Looks for families that have x and y.
 pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Families {
-    let has = |wanted| {
-        roles
-            .iter()
-            .any(|role: &Role| role.quantity() == Some(wanted))
-    };
-    if has(Quantity::X) || has(Quantity::Y) || has(Quantity::Z) {
+    if COORDINATES.into_iter().any(|axis| has(roles, axis)) {
         return Families::None;
     }
     let mut positions: BTreeMap<String, Vec<(usize, Quantity, Option<Unit>)>> = BTreeMap::new();
@@ -108,7 +104,7 @@ pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Families {
 
 /// The one coordinate that a heading hides beside two that are known: `tool X`, `Y`, `Z`.
 pub(crate) fn lone_coordinate(headings: &[String], roles: &[Role]) -> Option<Vec<Role>> {
-    let all = [Quantity::X, Quantity::Y, Quantity::Z];
+    let all = COORDINATES;
     let known = |quantity: &Quantity| {
         let of = |role: &Role| match role {
             Role::Known(own, unit) if own == quantity => Some(*unit),
@@ -144,6 +140,7 @@ pub(crate) fn lone_coordinate(headings: &[String], roles: &[Role]) -> Option<Vec
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::importers::columns::COORDINATES;
     use crate::importers::headings::understand;
 
     fn proposal(headings: &str) -> Option<String> {

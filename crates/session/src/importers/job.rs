@@ -140,6 +140,12 @@ impl Job<'_> {
             .push(Diagnostic::note(self.place.clone(), found));
     }
 
+    /// Notes what the note of the session says as well.
+    pub(crate) fn say(&mut self, said: Text) {
+        self.note(said.clone());
+        self.sentences.push(said);
+    }
+
     pub(crate) fn warn(&mut self, found: impl Into<Text>, expected: impl Into<Text>) {
         self.findings
             .push(Diagnostic::warning(self.place.clone(), found, expected));

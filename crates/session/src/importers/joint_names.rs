@@ -45,8 +45,10 @@ fn named(plain: &str, joints: &Joints) -> Option<(Role, bool)> {
             Some(_) => (split(&name.to_lowercase()), split(plain), None),
             None => (own, words.clone(), unit),
         };
-        let is_other = matches!(headings::understand(name), Role::Known(quantity, _) if !is_of_a_joint(quantity))
-            || matches!(headings::understand(name), Role::Time(_) | Role::Point);
+        let is_other = match headings::understand(name) {
+            Role::Known(quantity, _) => quantity.joint().is_none(),
+            role => matches!(role, Role::Time(_) | Role::Point),
+        };
         if own.is_empty() || is_other {
             continue;
         }
@@ -244,16 +246,6 @@ fn by_number(words: &[String]) -> Vec<(String, usize)> {
     (0..parts.len())
         .filter_map(|at| Some((around(at), joint_at(at)?)))
         .collect()
-}
-
-fn is_of_a_joint(quantity: Quantity) -> bool {
-    matches!(
-        quantity,
-        Quantity::Commanded(_)
-            | Quantity::ReadBack(_)
-            | Quantity::Speed(_)
-            | Quantity::Direction(_)
-    )
 }
 
 fn split(name: &str) -> Vec<String> {

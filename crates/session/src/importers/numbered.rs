@@ -269,12 +269,8 @@ fn is_part(role: &Role) -> bool {
 /// The joint that a role is about.
 fn joint_of(role: Role) -> Option<usize> {
     match role.quantity()? {
-        Quantity::Commanded(joint)
-        | Quantity::ReadBack(joint)
-        | Quantity::Speed(joint)
-        | Quantity::Torque(joint)
-        | Quantity::Direction(joint) => Some(joint),
-        _ => None,
+        Quantity::JointTemperature(_) => None,
+        quantity => quantity.joint(),
     }
 }
 

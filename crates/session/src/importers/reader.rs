@@ -4,10 +4,10 @@
 use super::settings::ReadContext;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::number::{NotANumber, quoted};
-use crate::importers::columns::{Column, Columns};
-use crate::importers::matching::listed_names_up_to;
+use crate::importers::columns::{COORDINATES, Column, Columns};
+use crate::importers::matching::listed_names;
 use crate::importers::options::{PLANE, SOCKET};
-use crate::importers::role::Role;
+use crate::importers::role::{Role, has};
 use crate::importers::settings::{About, ColumnGuess, Known, Question};
 use crate::importers::times::{Kinds, extent};
 use crate::importers::units::AngleUnit;
@@ -20,11 +20,11 @@ use crate::tables::{Complaints, Grid, Words};
 use crate::text::{Template, Text};
 
 /// Rows that are kept to be shown.
-const SHOWN_ROWS: usize = 8;
+pub(crate) const SHOWN_ROWS: usize = 8;
 /// The word for a column that is what its heading says.
 const AUTO: &str = "auto";
 /// Headings that a message lists.
-const SHOWN_HEADINGS: usize = 12;
+pub(crate) const SHOWN_HEADINGS: usize = 12;
 /// Names that are kept to be shown.
 const SHOWN_NAMES: usize = 100;
 /// What `--columns` takes.
@@ -68,6 +68,14 @@ impl<'a> ReadContext<'a> {
     pub(crate) fn is_open(&self) -> bool {
         let errors = |finding: &Diagnostic| finding.severity == Severity::Error;
         !self.found.questions.is_empty() || self.found.findings.iter().any(errors)
+    }
+
+    /// Whether nothing stands in the way, which a file without samples does.
+    pub(crate) fn has_samples(&mut self) -> bool {
+        if self.found.rows == 0 && !self.is_open() {
+            self.refuse(text!("no sample"), text!("at least one"));
+        }
+        !self.is_open()
     }
 
     /// Finds the table and notes what it looks like.
@@ -207,10 +215,7 @@ impl<'a> ReadContext<'a> {
                 },
             })
             .collect();
-        if self.found.rows == 0 && !self.is_open() {
-            self.refuse(text!("no sample"), text!("at least one"));
-        }
-        if self.is_open() {
+        if !self.has_samples() {
             return None;
         }
         let list = roles
@@ -391,15 +396,13 @@ impl<'a> ReadContext<'a> {
     /// Something measured has to be there: a coordinate, an orientation, or what another kind of
     /// measurement needs.
     pub(crate) fn require_position(&mut self, grid: &Grid<'_>, roles: &[Role]) -> bool {
-        let has = |wanted| roles.iter().any(|role| role.quantity() == Some(wanted));
-        let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
-        let mut any = coordinates.into_iter().chain(BESIDE_POINTS);
+        let mut any = COORDINATES.into_iter().chain(BESIDE_POINTS);
         let turns = roles.iter().any(|role| matches!(role, Role::Turn(..)));
         // All rows may belong to one socket, or touch one plane.
         let named = [SOCKET, PLANE]
             .iter()
             .any(|name| self.reading.options.contains_key(name));
-        let is_there = turns || named || any.any(has);
+        let is_there = turns || named || any.any(|wanted| has(roles, wanted));
         if !is_there {
             self.ask_for(grid, "x, y, z");
         }
@@ -413,11 +416,11 @@ impl<'a> ReadContext<'a> {
                 text!(one "{count} column and no header", "{count} columns and no header", count = grid.width)
             }
             Some((_, names)) => {
-                let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
+                let names = names.iter().map(|name| quoted(name));
                 text!(
                     "no column is {quantity} for certain among {names}",
                     quantity,
-                    names = listed_names_up_to(&names, SHOWN_HEADINGS)
+                    names = listed_names(names, SHOWN_HEADINGS)
                 )
             }
         };
@@ -455,8 +458,7 @@ fn joined([seconds, nanoseconds]: [usize; 2], cells: &mut [Option<Cells>]) {
 
 /// The lengths that a table has.
 fn lengths_in_words(roles: &[Role]) -> Text {
-    let has = |quantity| roles.iter().any(|role| role.quantity() == Some(quantity));
-    if has(Quantity::Distance) && !has(Quantity::X) {
+    if has(roles, Quantity::Distance) && !has(roles, Quantity::X) {
         text!("the distances")
     } else {
         Text::verbatim("x, y, z")
@@ -560,7 +562,7 @@ impl<'a> CellReader<'a> {
 /// A number in a column of this role.
 pub(crate) fn number(cell: &str, role: Role, decimal: Decimal) -> Result<f64, Template> {
     if let Role::Known(Quantity::Direction(_), _) = role {
-        return direction(cell).ok_or(phrase!("1, -1 or 0 (unknown), + or -, forward or backward"));
+        return direction(cell).ok_or(SIDES);
     }
     if let Role::Time(unit) = role {
         return Kinds::default().read(cell, unit, decimal);
@@ -570,6 +572,9 @@ pub(crate) fn number(cell: &str, role: Role, decimal: Decimal) -> Result<f64, Te
         (why, _) => why.expected(),
     })
 }
+
+/// What a side of approach may be.
+pub(crate) const SIDES: Template = phrase!("1, -1 or 0 (unknown), + or -, forward or backward");
 
 /// The side from which a joint came, as people write it.
 pub(crate) fn direction(text: &str) -> Option<f64> {

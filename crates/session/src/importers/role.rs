@@ -5,8 +5,6 @@ use crate::importers::units::{self, TimeUnit};
 use crate::sessions::columns::{Heading, Quantity, Unit};
 use std::fmt;
 
-use super::turns::turn;
-
 /// What a column is for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Role {
@@ -84,6 +82,11 @@ impl Role {
     }
 }
 
+/// Whether one of the columns is this.
+pub(crate) fn has(roles: &[Role], quantity: Quantity) -> bool {
+    roles.iter().any(|role| role.quantity() == Some(quantity))
+}
+
 pub(super) fn of_quantity(quantity: Quantity, unit: Option<Unit>) -> Role {
     match quantity {
         Quantity::Time => Role::Time(Some(1.0)),
@@ -116,13 +119,9 @@ impl fmt::Display for Role {
 pub(crate) fn role_of_word(word: &str) -> Option<Role> {
     let (name, unit) = match word.rsplit_once('_') {
         None => (word, None),
-        Some((name, "deg")) => (name, Some(Unit::Angle(1.0_f64.to_radians()))),
-        Some((name, "rad")) => (name, Some(Unit::Angle(1.0))),
-        Some(_) => return None,
+        Some((name, unit)) => (name, Some(Unit::from_suffix(unit)?)),
     };
-    let known = matches!(name, "rx" | "ry" | "rz" | "euler1" | "euler2" | "euler3");
-    known
-        .then(|| turn(&[name]))
-        .flatten()
-        .map(|turn| Role::Turn(turn, unit))
+    let is_angle = unit.is_none_or(|unit| matches!(unit, Unit::Angle(_)));
+    let turn = Turn::named(name).filter(|_| is_angle)?;
+    Some(Role::Turn(turn, unit))
 }

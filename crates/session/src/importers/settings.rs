@@ -2,6 +2,7 @@
 //! ask.
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::role::Role;
 use crate::importers::units::{AngleUnit, LengthUnit, TimeUnit};
@@ -245,6 +246,29 @@ pub(crate) struct ReadContext<'a> {
     pub(crate) found: Inspection,
     /// The work that reading it is a part of.
     pub(crate) part: ProgressSpan<'a>,
+}
+
+impl<'a> ReadContext<'a> {
+    pub(crate) fn new(
+        text: &'a str,
+        bytes: &'a [u8],
+        reading: &'a Reading,
+        part: ProgressSpan<'a>,
+    ) -> Self {
+        Self {
+            text,
+            bytes,
+            reading,
+            place: reading.place(),
+            found: Inspection::default(),
+            part,
+        }
+    }
+}
+
+/// What was given for an option that takes something else.
+pub(crate) fn wrong_value(option: &str, said: &str) -> Text {
+    text!("--{option}: {found}", option, found = quoted(said))
 }
 
 /// A format that instruments write.

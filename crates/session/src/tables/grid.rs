@@ -260,13 +260,7 @@ impl<'a> Grid<'a> {
 
     /// The first rows as they stand.
     pub(crate) fn first_rows(&self, count: usize) -> Vec<Vec<String>> {
-        let mut rows = self.body.clone();
-        let mut row = TextRow::default();
-        let mut first = Vec::new();
-        while first.len() < count && rows.next(&mut row) == Ok(true) {
-            first.push(row.owned());
-        }
-        first
+        self.body.first(count)
     }
 
     /// What the cells of the number columns say about the decimal sign.

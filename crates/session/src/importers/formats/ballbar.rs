@@ -5,14 +5,13 @@
 //! that length (`--nominal-length`). Where the anchors are, and whether the instrument shows true
 //! distances, the session declares: [`crate::importers::declared`].
 
-use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::declared::{ANCHOR, ANCHOR_OFFSET};
 use crate::importers::formats::{Importer, KnownBy, OwnOption, Questions};
 use crate::importers::headings::{Words, is_among, understand, words_and_unit};
 use crate::importers::reader::fixed;
 use crate::importers::role::Role;
-use crate::importers::settings::{About, ReadContext};
+use crate::importers::settings::{About, ReadContext, wrong_value};
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
 
@@ -106,11 +105,7 @@ fn nominal_length(context: &mut ReadContext<'_>, is_deviation: bool) -> Option<f
                 .ok()
                 .filter(|value: &f64| value.is_finite());
             if value.is_none() {
-                let found = text!(
-                    "--{option}: {found}",
-                    option = NOMINAL_LENGTH,
-                    found = quoted(said)
-                );
+                let found = wrong_value(NOMINAL_LENGTH, said);
                 context.refuse(found, text!("a length in mm"));
             }
             value

@@ -26,20 +26,16 @@ named! {
     }
     /// Its name in ROS.
     pub(super) fn name;
+    /// All of them.
+    const ALL;
 }
 
 impl Type {
     /// By the last part of a schema's name.
     pub(super) fn of(name: &str) -> Option<Self> {
-        let last = name.rsplit(['/', '.', ':']).next().unwrap_or_default();
-        Some(match last {
-            "JointState" => Self::JointState,
-            "PoseStamped" => Self::PoseStamped,
-            "PointStamped" => Self::PointStamped,
-            "TransformStamped" => Self::TransformStamped,
-            "TFMessage" => Self::TfMessage,
-            _ => return None,
-        })
+        let last = |name: &str| name.rsplit(['/', '.', ':']).next().map(str::to_owned);
+        let is_it = |one: &Self| last(one.name()) == last(name);
+        Self::ALL.into_iter().find(is_it)
     }
 }
 

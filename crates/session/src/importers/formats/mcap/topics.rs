@@ -140,10 +140,8 @@ impl Topics {
         let of_use = of_use.map(|topic| (&topic.name[..], topic.type_.name(), topic.messages));
         let others = self.others.iter();
         let others = others.map(|((name, type_), count)| (&name[..], &type_[..], *count));
-        let all: Vec<String> = of_use
-            .chain(others)
-            .map(|(name, type_, count)| format!("{name} ({type_}, {count})"))
-            .collect();
-        crate::importers::matching::listed_names_up_to(&all, SHOWN)
+        let all = of_use.chain(others);
+        let all = all.map(|(name, type_, count)| format!("{name} ({type_}, {count})"));
+        crate::importers::matching::listed_names(all, SHOWN)
     }
 }
