@@ -29,11 +29,7 @@ impl Job<'_> {
         };
         if values.iter().any(|value| value.is_infinite()) {
             let found = text!("a number that overflows");
-            return self.refuse(
-                self.place.clone(),
-                found,
-                text!("a number that a double can hold"),
-            );
+            return self.refuse(found, text!("a number that a double can hold"));
         }
         let mut q = vec![0.0; robot.joint_count()];
         let mut points: Vec<Point3<f64>> = Vec::new();
@@ -46,7 +42,6 @@ impl Job<'_> {
         }
         if values.len() > 1 && moved < 1e-9 {
             return self.refuse(
-                self.place.clone(),
                 text!(
                     "the tool lies on the axis of joint {joint}: it does not move",
                     joint = joint + 1
@@ -83,7 +78,7 @@ impl Job<'_> {
         self.check_joints(&columns, &self.place)?;
         if let Some(column) = columns.list.iter().find(|column| overflows(column)) {
             let place = self.place.clone().in_field(column.name.clone());
-            return self.refuse(
+            return self.refuse_at(
                 place,
                 text!("a number that overflows"),
                 text!("a number that a double can hold"),

@@ -65,11 +65,10 @@ impl Job<'_> {
             // Nothing to align: the points are places of anchors, sockets or stations.
             return Ok((columns, None));
         }
-        let known = self.named_points(companion, "reference")?;
+        let known = self.named_points(companion)?;
         let place = companion.place();
         let (Some(names), Some(points)) = (columns.points(), columns.places()) else {
             return self.refuse(
-                self.place.clone(),
                 text!("no names, or not all of x, y and z"),
                 Text::verbatim(POINTS),
             );
@@ -109,8 +108,7 @@ impl Job<'_> {
                         missing = listed_names(&missing, BEARABLE)
                     )
                 };
-                return self.refuse(
-                    place,
+                return self.refuse_at(place,
                     found,
                     text!("at least 3 points that are not on one line, with the same names in both files"),
                 );
@@ -132,7 +130,6 @@ impl Job<'_> {
             .collect();
         if rows.is_empty() {
             return self.refuse(
-                self.place.clone(),
                 text!("only reference points"),
                 text!("measured poses as well"),
             );
@@ -158,7 +155,7 @@ impl Job<'_> {
             return BTreeSet::new();
         };
         let (findings, said) = (self.findings.len(), self.sentences.len());
-        let columns = self.commands_in(companion, "q1_deg");
+        let columns = self.companion(companion, Some("q1_deg"));
         self.findings.truncate(findings);
         self.sentences.truncate(said);
         let names = columns

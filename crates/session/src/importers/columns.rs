@@ -9,6 +9,17 @@ use nalgebra::{Point3, Quaternion};
 /// The coordinates of a measured point.
 pub(crate) const COORDINATES: [Quantity; 3] = [Quantity::X, Quantity::Y, Quantity::Z];
 
+/// The axis that a letter names.
+pub(crate) fn axis_of(letter: &str) -> Option<usize> {
+    ["x", "y", "z"].iter().position(|axis| *axis == letter)
+}
+
+/// The part of a quaternion that a letter names.
+pub(crate) fn part_of(letter: &str) -> Option<usize> {
+    let parts = ["w", "x", "y", "z"];
+    parts.iter().position(|part| *part == letter)
+}
+
 #[derive(Debug, Clone)]
 pub(crate) struct Column {
     /// Its heading in the file, or what it is.

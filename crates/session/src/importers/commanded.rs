@@ -97,7 +97,7 @@ impl Job<'_> {
             };
             pairs = match found {
                 Ok(pairs) => pairs,
-                Err((found, expected)) => return self.refuse(self.place.clone(), found, expected),
+                Err((found, expected)) => return self.refuse(found, expected),
             };
             self.say_lonely(&pairs, &place);
             matching::join(columns, commands, &pairs)
@@ -131,7 +131,7 @@ impl Job<'_> {
             "--commands with a column q{joint}_deg, or such a column in the measured file; --columns says which it is under another heading",
             joint = joint + 1
         );
-        self.refuse(self.place.clone(), found, expected)
+        self.refuse(found, expected)
     }
 
     /// The commands of a file beside the measured one, which has none itself.
@@ -147,12 +147,12 @@ impl Job<'_> {
                 "commands are given, and the measured file has those of joint {joint} too",
                 joint = joint + 1
             );
-            return self.refuse(self.place.clone(), found, text!("one of the two"));
+            return self.refuse(found, text!("one of the two"));
         }
         let header: Vec<String> = (1..=joints).map(|joint| format!("q{joint}_deg")).collect();
-        let commands = self.commands_in(companion, &header.join(","))?;
+        let commands = self.companion(companion, Some(&header.join(",")))?;
         if let Some(joint) = self.lacking(&commands) {
-            return self.refuse(
+            return self.refuse_at(
                 companion.place(),
                 no_column(&format!("q{}", joint + 1)),
                 text!("a header such as {header}", header = header.join(",")),

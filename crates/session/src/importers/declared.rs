@@ -42,9 +42,7 @@ impl Job<'_> {
         }
         if has(columns, Quantity::Distance) {
             taken_from_commands(columns, Quantity::Anchor);
-            let said = self.reading.options.get(ANCHOR).map(|name| name.trim());
-            let name = said.filter(|name| !name.is_empty()).unwrap_or("A");
-            columns.name_all(Quantity::Anchor, name);
+            columns.name_all(Quantity::Anchor, self.stated(ANCHOR).unwrap_or("A"));
         }
         if has(columns, Quantity::Azimuth) {
             columns.name_all(Quantity::Station, "S");
@@ -52,7 +50,7 @@ impl Job<'_> {
         let named = [Quantity::Distance, Quantity::Socket, Quantity::Azimuth];
         let asks = named.into_iter().any(|quantity| has(columns, quantity));
         let known = match &self.settings.reference {
-            Some(companion) if asks => self.named_points(companion, "reference")?,
+            Some(companion) if asks => self.named_points(companion)?,
             _ => Points::new(),
         };
         let position_mm = |name: &String| known.get(name).copied();
@@ -89,10 +87,15 @@ impl Job<'_> {
         })
     }
 
+    /// The name that an option states.
+    fn stated(&self, option: &str) -> Option<&str> {
+        let said = self.reading.options.get(option)?.trim();
+        (!said.is_empty()).then_some(said)
+    }
+
     /// The column that an option makes: the same name in all rows.
     fn one_for_all(&mut self, columns: &mut Columns, option: &str, quantity: Quantity) {
-        let said = self.reading.options.get(option).map(|name| name.trim());
-        let Some(name) = said.filter(|name| !name.is_empty()) else {
+        let Some(name) = self.stated(option) else {
             return;
         };
         if columns.find(quantity).is_some() {
@@ -120,7 +123,8 @@ impl Job<'_> {
         if columns.find(Quantity::Distance).is_none() {
             return Ok(Vec::new());
         }
-        let offset_mm = self.anchor_offset()?;
+        let stated = self.reading.length_mm(ANCHOR_OFFSET);
+        let offset_mm = stated.or_else(|(found, expected)| self.refuse(found, expected))?;
         let names = names_in(columns, Quantity::Anchor);
         let mut said = said(&names, Quantity::Anchor, points).unwrap_or_default();
         if offset_mm.is_none() {
@@ -136,19 +140,6 @@ impl Job<'_> {
             offset_mm,
         };
         Ok(names.into_iter().map(anchor).collect())
-    }
-
-    fn anchor_offset(&self) -> Result<Option<f64>, Rejected> {
-        let Some(said) = self.reading.options.get(ANCHOR_OFFSET) else {
-            return Ok(None);
-        };
-        match said.trim().parse::<f64>() {
-            Ok(value) if value.is_finite() => Ok(Some(value)),
-            _ => {
-                let found = wrong_value(ANCHOR_OFFSET, said);
-                self.refuse(self.place.clone(), found, text!("a length in mm"))
-            }
-        }
     }
 
     fn socket_distances(&mut self, sockets: &[Socket]) -> Result<Vec<SocketDistance>, Rejected> {
@@ -178,7 +169,7 @@ impl Job<'_> {
                     "two of the sockets ({names}) and a length in mm, such as S1-S2=400",
                     names = names.join(", ")
                 );
-                return self.refuse(self.place.clone(), found, expected);
+                return self.refuse(found, expected);
             };
             all.push(read);
         }

@@ -125,8 +125,17 @@ impl Job<'_> {
         Err(Rejected::of(all))
     }
 
-    /// Refuses for one reason.
+    /// Refuses for one reason, in the measured file.
     pub(crate) fn refuse<T>(
+        &self,
+        found: impl Into<Text>,
+        expected: impl Into<Text>,
+    ) -> Result<T, Rejected> {
+        self.refuse_at(self.place.clone(), found, expected)
+    }
+
+    /// Refuses for one reason.
+    pub(crate) fn refuse_at<T>(
         &self,
         place: Place,
         found: impl Into<Text>,

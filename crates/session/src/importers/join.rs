@@ -10,17 +10,18 @@ use std::ops::RangeInclusive;
 
 use nalgebra::Point3;
 
-use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::diagnostic::{Place, Rejected};
 use crate::importers::averages::{AVERAGED, Group, means, without_strays};
 use crate::importers::clock::{self, ClockOffset, Timed};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::job::Job;
 use crate::importers::matching::{Pairs, join, listed_rows};
-use crate::importers::path::{Path, Stop};
+use crate::importers::path::{Path, Stop, sides};
 use crate::importers::role::Role;
 use crate::kinematics::Robot;
 use crate::sessions::Target;
 use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::layout::no_column;
 use crate::text::{Template, length};
 
 /// At least this share of the points has to lie in stops for stops to be preferred.
@@ -49,7 +50,7 @@ impl Job<'_> {
     ) -> Result<(Columns, Vec<String>, ClockOffset), Rejected> {
         let robot = self.settings.robot;
         let Some(time_s) = measured.numbers(Quantity::Time) else {
-            return self.refuse(self.place.clone(), text!("no column of times"), TIMES);
+            return self.refuse(no_column("time_s"), TIMES);
         };
         let path = self.path_of(&commands, place)?;
         let shown = shown(&measured, targets);
@@ -59,7 +60,6 @@ impl Job<'_> {
         let (inside, outside): (Vec<usize>, Vec<usize>) = (0..at.len()).partition(is_inside);
         if inside.is_empty() {
             return self.refuse(
-                self.place.clone(),
                 text!("no measurement falls into the time of the commands"),
                 phrase!("recordings of the same time, or another --clock-offset"),
             );
@@ -112,18 +112,17 @@ impl Job<'_> {
 
     /// The path of the commands, or what is wrong with them.
     fn path_of(&self, commands: &Columns, place: &Place) -> Result<Path, Rejected> {
-        let wrong = match Path::new(commands, self.settings.robot) {
-            Ok(path) => return Ok(path),
-            Err(None) => Diagnostic::error(place.clone(), text!("no column of times"), TIMES),
-            Err(Some(row)) => Diagnostic::error(
+        match Path::new(commands, self.settings.robot) {
+            Ok(path) => Ok(path),
+            Err(None) => self.refuse_at(place.clone(), no_column("time_s"), TIMES),
+            Err(Some(row)) => self.refuse_at(
                 place
                     .clone()
                     .at_line(commands.lines.get(row).unwrap_or(row as u64 + 1)),
                 text!("a time that is not later than the one before"),
                 phrase!("rows in the order of time"),
             ),
-        };
-        self.refused(vec![wrong])
+        }
     }
 
     /// How far the clocks are apart, as stated or found.
@@ -140,7 +139,7 @@ impl Job<'_> {
         }
         clock::find(path, robot, &targets, points).or_else(|why| {
             let expected = phrase!("--clock-offset with the seconds to add to a measured time");
-            self.refuse(self.place.clone(), why.0, expected)
+            self.refuse(why.0, expected)
         })
     }
 
@@ -210,6 +209,11 @@ impl Joining<'_> {
         Unit::inner(self.robot.joints[joint].kind)
     }
 
+    /// The side from which a joint came to each entry of the path.
+    fn sides(&self, joint: usize) -> Vec<f64> {
+        sides(&self.path.q[joint], self.resolution[joint])
+    }
+
     /// Every measurement of these rows with the joint values at its time.
     fn in_motion(
         &self,
@@ -221,29 +225,28 @@ impl Joining<'_> {
             .iter()
             .map(|&row| self.path.entry(self.at[row]).unwrap_or(0))
             .collect();
-        let mut q = vec![vec![0.0; rows.len()]; self.robot.joint_count()];
-        let mut here = vec![0.0; q.len()];
-        for (index, &row) in rows.iter().enumerate() {
-            self.path.at(self.at[row], &mut here);
-            for (column, value) in q.iter_mut().zip(&here) {
-                column[index] = *value;
-            }
-        }
+        let at = |&row: &usize| {
+            let mut q = vec![0.0; self.robot.joint_count()];
+            self.path.at(self.at[row], &mut q);
+            q
+        };
+        let q: Vec<Vec<f64>> = rows.iter().map(at).collect();
         let pairs = Pairs {
             commands: entries.iter().map(|&entry| self.path.row[entry]).collect(),
             measured: rows,
             ..Pairs::default()
         };
         let (mut joined, left) = join(measured, commands, &pairs);
-        for (joint, values) in q.into_iter().enumerate() {
+        for joint in 0..self.robot.joint_count() {
             let unit = self.unit(joint);
+            let values = q.iter().map(|q| q[joint]).collect();
             joined.put(Column::made(Quantity::Commanded(joint), unit, values));
             let speeds: Vec<f64> = entries
                 .iter()
                 .map(|&entry| self.path.speed(joint, entry))
                 .collect();
             joined.put_missing(Quantity::Direction(joint), Unit::Fixed, || {
-                let sides = self.path.came_from(joint, self.resolution[joint]);
+                let sides = self.sides(joint);
                 let side = |(&entry, speed): (&usize, &f64)| {
                     if *speed == 0.0 {
                         sides[entry]
@@ -287,7 +290,7 @@ impl Joining<'_> {
                 joined.put(Column::made(quantity, self.unit(joint), values));
             }
             joined.put_missing(Quantity::Direction(joint), Unit::Fixed, || {
-                let sides = self.path.came_from(joint, self.resolution[joint]);
+                let sides = self.sides(joint);
                 groups.iter().map(|group| sides[group.stop.first]).collect()
             });
         }

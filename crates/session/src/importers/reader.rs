@@ -105,7 +105,7 @@ impl<'a> ReadContext<'a> {
         found: Option<&[Role]>,
     ) -> Option<Vec<Role>> {
         let width = grid.width;
-        let headings = grid.header.as_ref().map_or(&[][..], |header| &header.1);
+        let headings = grid.headings();
         let words = self.reading.columns.clone();
         if words.is_empty() {
             return None;
@@ -162,17 +162,14 @@ impl<'a> ReadContext<'a> {
     /// or wrong.
     pub(crate) fn columns(&mut self, grid: &Grid<'a>, mut roles: Vec<Role>) -> Option<Columns> {
         let convention = self.ask_about_angles(&mut roles);
-        let headings: Vec<String> = match &grid.header {
-            Some((_, names)) => names.clone(),
-            None => Vec::new(),
-        };
-        let heading = |index: usize| heading_at(&headings, index);
+        let headings = grid.headings();
+        let heading = |index: usize| heading_at(headings, index);
         let stamp = parts_of_a_stamp(&roles);
         let mut single = roles.clone();
         if let Some([_, nanoseconds]) = stamp {
             single[nanoseconds] = Role::Left;
         }
-        self.ask_about_twins(&single, &headings);
+        self.ask_about_twins(&single, headings);
         let is_number = |index: usize| roles.get(index).is_some_and(|role| role.is_number());
         let decimal = self.decimal_sign(grid, &is_number);
         // While the sign is being asked for, a comma is good enough to know how far points spread.
@@ -182,7 +179,7 @@ impl<'a> ReadContext<'a> {
         let all: Vec<usize> = (0..roles.len()).collect();
         if decimal.is_some() || asked {
             grid.each_row(&self.place, &mut complaints, |row, complaints| {
-                reader.read(row, &all, &headings, &self.place, complaints);
+                reader.read(row, &all, headings, &self.place, complaints);
             });
         }
         // While the sign is asked for, what does not fit the one that is tried says nothing.
@@ -197,7 +194,7 @@ impl<'a> ReadContext<'a> {
             roles = single;
         }
         self.settle_units(grid, &mut roles, &cells);
-        self.settle_times(&mut roles, &mut cells, &times, &headings);
+        self.settle_times(&mut roles, &mut cells, &times, headings);
         let words = &self.reading.columns;
         self.found.columns = roles
             .iter()
@@ -338,32 +335,24 @@ impl<'a> ReadContext<'a> {
             }
             (None, None) => None,
         };
-        if let (Some((unit, symbol)), Some(heading)) = (given, says_length)
-            && !lacks_length
-        {
-            if unit != heading {
+        if let Some(heading) = says_length {
+            if let Some((unit, symbol)) = given
+                && !lacks_length
+                && unit != heading
+            {
                 self.another_unit(symbol, heading.suffix().unwrap_or_default());
             }
             self.found.unit = text!("from the headings");
-        } else if says_length.is_some() {
-            self.found.unit = text!("from the headings");
         }
-        if lacks_length {
-            match length {
-                Some(_) if named.is_some() && given.is_none() => {
-                    let found = text!("the unit is {unit}", unit = &self.found.unit);
-                    self.note(found);
-                }
-                Some(_) => {}
-                None => {
-                    let says = text!(
-                        "the unit of {roles} is not stated: {reach_mm}",
-                        roles = lengths_in_words(roles),
-                        reach_mm = units::hint(spread, self.reading.reach_mm)
-                    );
-                    self.ask(About::Unit, says, &["mm", "m", "in"]);
-                }
-            }
+        if lacks_length && length.is_none() {
+            let says = text!(
+                "the unit of {roles} is not stated: {reach_mm}",
+                roles = lengths_in_words(roles),
+                reach_mm = units::hint(spread, self.reading.reach_mm)
+            );
+            self.ask(About::Unit, says, &["mm", "m", "in"]);
+        } else if lacks_length && given.is_none() {
+            self.note(text!("the unit is {unit}", unit = &self.found.unit));
         }
         let by_file = units::of_preamble(&before, |unit| matches!(unit, Unit::Angle(_)));
         let angle = self.reading.angle_unit.map(AngleUnit::unit);
@@ -469,6 +458,14 @@ fn heading_at(headings: &[String], index: usize) -> &str {
     headings.get(index).map_or("", String::as_str)
 }
 
+/// The place in the column with this heading, if it has one.
+pub(crate) fn below(place: Place, heading: &str) -> Place {
+    match heading {
+        "" => place,
+        heading => place.in_field(heading),
+    }
+}
+
 /// Distinct names of points, in the order in which they come.
 fn distinct(roles: &[Role], cells: &[Option<Cells>]) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
@@ -546,10 +543,7 @@ impl<'a> CellReader<'a> {
                         complaints.add(|| {
                             let place = file.clone().at_line(row.line);
                             let place = place.at_column(index as u64 + 1);
-                            let place = match heading_at(headings, index) {
-                                "" => place,
-                                heading => place.in_field(heading),
-                            };
+                            let place = below(place, heading_at(headings, index));
                             Diagnostic::error(place, Text::verbatim(quoted(cell)), expected)
                         });
                     }

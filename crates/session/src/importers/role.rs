@@ -27,6 +27,15 @@ pub(crate) enum Role {
     Left,
 }
 
+/// What columns are proposed to be, by what their headings have in common.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Proposal<T> {
+    None,
+    One(T),
+    /// Only a person can say which; by their names.
+    Several(Vec<String>),
+}
+
 impl Role {
     /// Whether its cells are numbers.
     pub(crate) fn is_number(self) -> bool {
@@ -59,7 +68,7 @@ impl Role {
             _ => {}
         }
         if let Heading::Known(quantity, unit) = Heading::read(word) {
-            return Some(of_quantity(quantity, Some(unit)));
+            return Some(of_quantity(quantity, unit));
         }
         if let Some(role) = role_of_word(word) {
             return Some(role);
@@ -68,16 +77,10 @@ impl Role {
             return Some(Self::Time(Some(seconds)));
         }
         // The same heading with a unit added is known: only the unit is missing.
-        ["mm", "deg"].iter().find_map(|unit| {
-            let full = if word.starts_with("speed") {
-                format!("{word}_{unit}_s")
-            } else {
-                format!("{word}_{unit}")
-            };
-            match Heading::read(&full) {
-                Heading::Known(quantity, _) => Some(Self::Known(quantity, None)),
-                Heading::Unknown { .. } => None,
-            }
+        let mut units = ["mm", "deg", "mm_s", "deg_s"].iter();
+        units.find_map(|unit| match Heading::read(&format!("{word}_{unit}")) {
+            Heading::Known(quantity, _) => Some(Self::Known(quantity, None)),
+            Heading::Unknown { .. } => None,
         })
     }
 }
@@ -87,10 +90,10 @@ pub(crate) fn has(roles: &[Role], quantity: Quantity) -> bool {
     roles.iter().any(|role| role.quantity() == Some(quantity))
 }
 
-pub(super) fn of_quantity(quantity: Quantity, unit: Option<Unit>) -> Role {
+pub(super) fn of_quantity(quantity: Quantity, unit: Unit) -> Role {
     match quantity {
         Quantity::Time => Role::Time(Some(1.0)),
-        _ => Role::Known(quantity, unit),
+        _ => Role::Known(quantity, Some(unit)),
     }
 }
 

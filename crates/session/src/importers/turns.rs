@@ -1,5 +1,6 @@
 //! The parts of an orientation in three angles or a rotation vector, and the words for them.
 
+use crate::importers::columns::axis_of;
 use crate::sessions::columns::Unit;
 
 /// Which of the three numbers of an orientation a column holds.
@@ -45,10 +46,6 @@ pub(crate) fn turn(words: &[&str]) -> Option<Turn> {
         _ => return None,
     };
     Some(Turn::About(about))
-}
-
-fn axis_of(word: &str) -> Option<usize> {
-    ["x", "y", "z"].iter().position(|axis| *axis == word)
 }
 
 fn nth(word: &str) -> Option<Turn> {

@@ -211,6 +211,11 @@ impl<'a> Grid<'a> {
         })
     }
 
+    /// Its headings; none without a header.
+    pub(crate) fn headings(&self) -> &[String] {
+        self.header.as_ref().map_or(&[], |(_, names)| names)
+    }
+
     /// Going through all rows is told as a pass of this part of the work.
     pub(crate) fn watched(self, part: ProgressSpan<'a>) -> Self {
         let part = Some(part);

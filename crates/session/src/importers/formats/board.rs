@@ -41,10 +41,7 @@ pub(crate) static IMPORTER: Importer = Importer {
         ),
         values: &["fixed", "on-tool"],
     }],
-    known_by: KnownBy::Reading {
-        turn: 1,
-        suits: |trial| trial.is_sound && trial.headings.is_some(),
-    },
+    known_by: KnownBy::headed(1),
     read,
 };
 
@@ -58,7 +55,7 @@ const TURN: [Quantity; 3] = [
 /// Reads the poses.
 fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = context.grid()?;
-    let names = grid.header.as_ref().map_or(&[][..], |header| &header.1);
+    let names = grid.headings();
     let mut parts: Vec<(Role, bool)> = names.iter().map(|name| part(name)).collect();
     parts.resize(grid.width, (Role::Kept, false));
     let of_board = |wanted: Quantity| {

@@ -2,16 +2,16 @@
 
 use crate::document::number::quoted;
 use crate::importers::columns::{COORDINATES, Columns};
-use crate::importers::families::{self, Families};
+use crate::importers::families;
 use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
 use crate::importers::headings::understand;
 use crate::importers::matching::listed_names;
 use crate::importers::reader::SHOWN_HEADINGS;
 use crate::importers::options::{PLANE_OPTION, SOCKET_DISTANCES_OPTION, SOCKET_OPTION};
-use crate::importers::role::{Role, has};
+use crate::importers::role::{Proposal, Role, has};
 use crate::importers::settings::{About, ReadContext};
 use crate::sessions::columns::{Heading, Quantity};
-use crate::tables::decimals::{Decimal, shape, value};
+use crate::tables::decimals::{shape, value_alone};
 use crate::tables::{Grid, Separator};
 
 pub(crate) static IMPORTER: Importer = Importer {
@@ -24,10 +24,7 @@ pub(crate) static IMPORTER: Importer = Importer {
         PLANE_OPTION,
         SOCKET_DISTANCES_OPTION,
     ],
-    known_by: KnownBy::Reading {
-        turn: 2,
-        suits: |trial| trial.is_sound && trial.headings.is_some(),
-    },
+    known_by: KnownBy::headed(2),
     read,
 };
 
@@ -71,17 +68,12 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
                 }
                 let names = &names[..names.len().min(roles.len())];
                 match families::proposed(names, &roles) {
-                    Families::None => {
-                        if let Some(proposed) = families::lone_coordinate(names, &roles) {
-                            propose(context, names, &roles, &proposed);
-                            roles = proposed;
-                        }
-                    }
-                    Families::One(proposed) => {
+                    Proposal::None => {}
+                    Proposal::One(proposed) => {
                         propose(context, names, &roles, &proposed);
                         roles = proposed;
                     }
-                    Families::Several(groups) => {
+                    Proposal::Several(groups) => {
                         let says = text!(
                             "{count} groups of x, y, z: {groups}; one of them is what was measured, or a row holds several points: then one point a row is expected, with its name in a column target",
                             count = groups.len(),
@@ -173,14 +165,7 @@ fn is_matrix(context: &ReadContext<'_>, grid: &Grid<'_>) -> bool {
         let numbers = row
             .iter()
             .skip(grid.width.saturating_sub(cells))
-            .map(|cell| {
-                let decimal = if cell.contains(',') {
-                    Decimal::Comma
-                } else {
-                    Decimal::Point
-                };
-                value(cell, decimal).unwrap_or(f64::NAN)
-            });
+            .map(|cell| value_alone(cell));
         let m: Vec<f64> = numbers.collect();
         let product = |a: usize, b: usize| (0..3).map(|k| m[4 * a + k] * m[4 * b + k]).sum::<f64>();
         let unit = |a: usize, b: usize| (product(a, b) - f64::from(u8::from(a == b))).abs() < 0.01;

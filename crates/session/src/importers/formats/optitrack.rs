@@ -15,6 +15,7 @@ use crate::importers::role::Role;
 use crate::importers::settings::{About, ColumnGuess, ReadContext, wrong_value};
 use crate::importers::units::{self, LengthUnit, Word};
 use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::layout::no_column;
 use crate::tables::decimals::{Decimal, Decision, Votes};
 use crate::tables::{Cells, Names};
 use crate::tables::{Complaints, MOST_COLUMNS, open_quote};
@@ -38,7 +39,7 @@ pub(crate) static IMPORTER: Importer = Importer {
         columns: Meanings::Fixed,
         y_up: true,
         names: true,
-        joint: false,
+        ..Questions::TABLE
     },
     options: &[],
     known_by: KnownBy::Text(is_likely),
@@ -286,13 +287,9 @@ fn choose(context: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Trac
     if !context.reading.names.is_empty() {
         let mut chosen = Vec::new();
         for name in &context.reading.names {
-            let mut called = tracked.iter().filter(|thing| thing.name == *name);
+            let called = || tracked.iter().filter(|thing| thing.name == *name);
             // A body and its own marker may be called alike.
-            let body = tracked
-                .iter()
-                .filter(is_body)
-                .find(|thing| thing.name == *name);
-            if let Some(thing) = body.or_else(|| called.next()) {
+            if let Some(thing) = called().find(is_body).or_else(|| called().next()) {
                 chosen.push(thing.clone());
             } else {
                 let expected = text!("one of {names}", names = listed(&names));
@@ -306,7 +303,7 @@ fn choose(context: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Trac
         ([body], _) => Some(vec![(*body).clone()]),
         ([], [only]) => Some(vec![only.clone()]),
         (_, []) => {
-            context.refuse(text!("no column of positions"), EXPORT);
+            context.refuse(no_column("Position"), EXPORT);
             None
         }
         _ => {

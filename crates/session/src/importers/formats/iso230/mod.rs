@@ -46,10 +46,7 @@ pub(crate) static IMPORTER: Importer = Importer {
         ..Questions::TABLE
     },
     options: &[],
-    known_by: KnownBy::Reading {
-        turn: 3,
-        suits: |trial| trial.is_sound && trial.headings.is_some(),
-    },
+    known_by: KnownBy::headed(3),
     read,
 };
 

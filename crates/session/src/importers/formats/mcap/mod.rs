@@ -9,7 +9,6 @@
 mod cdr;
 mod container;
 mod messages;
-mod options;
 mod recorded;
 mod topics;
 
@@ -21,8 +20,15 @@ use crate::tables::foreign;
 use crate::text::Text;
 
 use messages::Type;
-use options::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer, TOPIC_JOINTS, TOPIC_MEASURED};
 use topics::{Topic, Topics};
+
+const TOPIC_JOINTS: &str = "topic-joints";
+const TOPIC_MEASURED: &str = "topic-measured";
+const FRAME_CHILD: &str = "frame-child";
+const JOINT_NAMES: &str = "joint-names";
+
+/// Something is asked or wrong, and stands in the inspection.
+struct NeedsAnswer;
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "mcap",
@@ -30,9 +36,7 @@ pub(crate) static IMPORTER: Importer = Importer {
     asks: Questions {
         table: false,
         columns: Meanings::Fixed,
-        y_up: false,
-        names: false,
-        joint: false,
+        ..Questions::TABLE
     },
     options: &[
         OwnOption {

@@ -6,16 +6,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::joint_names::{Shared, shared};
+use crate::importers::joint_names::shared;
 use crate::importers::matching::listed_names;
-use crate::importers::role::Role;
+use crate::importers::role::{Proposal, Role};
 use crate::importers::settings::{About, ReadContext, wrong_value};
 use crate::sessions::columns::{Quantity, Unit};
 use crate::tables::Names;
 
 use super::messages::Measured;
-use super::options::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer};
 use super::topics::Topic;
+use super::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer};
 
 /// Joint states that are nearer in time are averaged: encoders' noise over a millisecond looks like
 /// motion.
@@ -161,7 +161,7 @@ fn joints_of(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>
         return Some(topic.joint_names.clone());
     }
     let kept = vec![Role::Kept; topic.joint_names.len()];
-    if let Shared::One(found) = shared(&topic.joint_names, &kept, &context.reading.joints) {
+    if let Proposal::One(found) = shared(&topic.joint_names, &kept, &context.reading.joints) {
         // Those that are read back beside commanded ones come last.
         let found = found.iter().take(robot.len());
         let names = found.map(|(index, _)| topic.joint_names[*index].clone());
