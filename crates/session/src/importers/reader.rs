@@ -272,10 +272,6 @@ impl<'a> ReadContext<'a> {
     }
 
     /// Gives every quantity its unit, or asks for it.
-    #[allow(
-        clippy::too_many_lines,
-        reason = "what lengths and angles are in is decided together"
-    )]
     fn settle_units(&mut self, grid: &Grid<'_>, roles: &mut [Role], cells: &[Option<Cells>]) {
         let slides = |joint: usize| self.reading.joints.get(joint).is_some_and(|joint| joint.1);
         let position = |q: Quantity| match q {

@@ -46,15 +46,6 @@ pub(super) struct Header {
     pub(super) frame: String,
 }
 
-/// Joints by name.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Joints {
-    pub(super) header: Header,
-    pub(super) names: Vec<String>,
-    /// rad or m; as many as names.
-    pub(super) values: Vec<f64>,
-}
-
 /// Something that was measured in a frame.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Measured {
@@ -68,7 +59,13 @@ pub(super) struct Measured {
 /// What a message says.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Content {
-    Joints(Joints),
+    /// Joints by name.
+    Joints {
+        header: Header,
+        names: Vec<String>,
+        /// rad or m; as many as names.
+        values: Vec<f64>,
+    },
     Measured(Vec<Measured>),
 }
 
@@ -141,11 +138,11 @@ fn joints(header: Header, mut names: Vec<String>, values: Vec<f64>) -> Result<Co
     if names.len() != values.len() {
         return Err(not_whole());
     }
-    Ok(Content::Joints(Joints {
+    Ok(Content::Joints {
         header,
         names,
         values,
-    }))
+    })
 }
 
 #[derive(Deserialize, Default)]

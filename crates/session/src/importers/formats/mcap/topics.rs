@@ -53,10 +53,14 @@ impl Topic {
             }
         };
         match content {
-            Content::Joints(joints) => {
-                self.without_positions += usize::from(joints.values.is_empty());
-                let time_ns = time(joints.header.time_ns);
-                for (name, value) in joints.names.into_iter().zip(joints.values) {
+            Content::Joints {
+                header,
+                names,
+                values,
+            } => {
+                self.without_positions += usize::from(values.is_empty());
+                let time_ns = time(header.time_ns);
+                for (name, value) in names.into_iter().zip(values) {
                     if !self.joints.contains_key(&name) {
                         if self.joint_names.len() == MOST_JOINTS {
                             return Err(messages::not_whole());
