@@ -12,7 +12,7 @@ pub fn document(imported: &Imported) -> Json {
         "session": &imported.session.name,
         "samples": imported.session.samples.len(),
         "read_as": found.kind.map_or("", |importer| importer.id),
-        "encoding": found.encoding.to_string(),
+        "encoding": found.encoding.name(),
         "separator": found.separator.map(|separator| separator.to_string()),
         "decimal": found.decimal.map(|decimal| decimal.to_string()),
         "unit": found.unit.to_string(),

@@ -6,7 +6,6 @@ use crate::diagnostic::{Diagnostic, Rejected, Severity};
 use crate::importers::columns::{COORDINATES, Column, Columns};
 use crate::importers::job::Job;
 use crate::importers::role::Role;
-use crate::kinematics::JointKind;
 use crate::sessions::columns::{Heading, Quantity, Unit};
 use crate::sessions::files::assemble;
 use crate::sessions::files::assemble::Declared;
@@ -30,11 +29,7 @@ impl Job<'_> {
         };
         if values.iter().any(|value| value.is_infinite()) {
             let found = text!("a number that overflows");
-            return self.refuse(
-                self.place.clone(),
-                found,
-                text!("a number that a double can hold"),
-            );
+            return self.refuse(found, text!("a number that a double can hold"));
         }
         let mut q = vec![0.0; robot.joint_count()];
         let mut points: Vec<Point3<f64>> = Vec::new();
@@ -47,7 +42,6 @@ impl Job<'_> {
         }
         if values.len() > 1 && moved < 1e-9 {
             return self.refuse(
-                self.place.clone(),
                 text!(
                     "the tool lies on the axis of joint {joint}: it does not move",
                     joint = joint + 1
@@ -58,15 +52,9 @@ impl Job<'_> {
         columns.put_places(&points);
         let rows = columns.rows();
         for other in (0..robot.joint_count()).filter(|other| *other != joint) {
-            let unit = match robot.joints[other].kind {
-                JointKind::Revolute => Unit::Angle(1.0),
-                JointKind::Prismatic => Unit::Length(1.0),
-            };
-            columns.put(Column::made(
-                Quantity::Commanded(other),
-                unit,
-                vec![0.0; rows],
-            ));
+            let unit = Unit::inner(robot.joints[other].kind);
+            let home = vec![0.0; rows];
+            columns.put(Column::made(Quantity::Commanded(other), unit, home));
         }
         if robot.joint_count() > 1 {
             self.note(text!(
@@ -74,12 +62,10 @@ impl Job<'_> {
                 joint = joint + 1
             ));
         }
-        let sentence = text!(
+        self.say(text!(
             "only the position of joint {joint} was measured: x, y, z are where the nominal robot carries its tool at that position, so that the radius is nominal",
             joint = joint + 1
-        );
-        self.note(sentence.clone());
-        self.sentences.push(sentence);
+        ));
         Ok(())
     }
 
@@ -89,12 +75,10 @@ impl Job<'_> {
         mut columns: Columns,
         targets: Vec<Target>,
     ) -> Result<Session, Rejected> {
-        if let Some(wrong) = self.joints_checked(&columns, &self.place) {
-            return self.refused(wrong);
-        }
+        self.check_joints(&columns, &self.place)?;
         if let Some(column) = columns.list.iter().find(|column| overflows(column)) {
             let place = self.place.clone().in_field(column.name.clone());
-            return self.refuse(
+            return self.refuse_at(
                 place,
                 text!("a number that overflows"),
                 text!("a number that a double can hold"),
@@ -168,14 +152,8 @@ fn complete_coordinates(columns: &mut Columns) {
         return;
     }
     let rows = columns.rows();
-    for (quantity, has) in all.into_iter().zip(has) {
-        if !has {
-            columns.put(Column::made(
-                quantity,
-                Unit::Length(1.0),
-                vec![f64::NAN; rows],
-            ));
-        }
+    for quantity in all {
+        columns.put_missing(quantity, Unit::Length(1.0), || vec![f64::NAN; rows]);
     }
 }
 

@@ -1,6 +1,7 @@
 //! The mean of what was measured during a stop.
 
 use crate::importers::columns::{Column, Columns};
+use crate::importers::path::Stop;
 use crate::numeric::median;
 use crate::sessions::columns::{Quantity, Unit};
 use nalgebra::Quaternion;
@@ -10,7 +11,7 @@ const STRAY: f64 = 6.0;
 
 /// Measurements that are averaged.
 pub(crate) struct Group {
-    pub(crate) stop: usize,
+    pub(crate) stop: Stop,
     /// Rows of the measurements; never empty.
     pub(crate) rows: Vec<usize>,
 }
@@ -43,44 +44,28 @@ pub(super) const AVERAGED: [Quantity; 4] =
     [Quantity::X, Quantity::Y, Quantity::Z, Quantity::Distance];
 
 /// Means of what was measured, one for each group.
-pub(crate) struct Means {
-    columns: Vec<Column>,
-    turns: Option<Vec<Quaternion<f64>>>,
-}
-
-impl Means {
-    pub(crate) fn of(measured: &Columns, groups: &[Group]) -> Self {
-        let mut columns = Vec::new();
-        let mean = |values: &[f64], group: &Group| {
-            let sum: f64 = group.rows.iter().map(|&row| values[row]).sum();
-            sum / group.rows.len() as f64
-        };
-        for quantity in AVERAGED.into_iter().chain([Quantity::Time]) {
-            if let Some(values) = measured.numbers(quantity) {
-                let means = groups.iter().map(|group| mean(&values, group)).collect();
-                let unit = if quantity == Quantity::Time {
-                    Unit::Fixed
-                } else {
-                    Unit::Length(1.0)
-                };
-                columns.push(Column::made(quantity, unit, means));
-            }
-        }
-        let turns = measured.orientations().map(|all| {
-            let means = groups.iter().map(|group| mean_orientation(&all, group));
-            means.collect()
-        });
-        Self { columns, turns }
-    }
-
-    pub(crate) fn put_into(self, columns: &mut Columns) {
-        for column in self.columns {
-            columns.put(column);
-        }
-        if let Some(turns) = self.turns {
-            columns.put_orientations(&turns);
+pub(crate) fn means(measured: &Columns, groups: &[Group]) -> Columns {
+    let mut means = Columns::default();
+    let mean = |values: &[f64], group: &Group| {
+        let sum: f64 = group.rows.iter().map(|&row| values[row]).sum();
+        sum / group.rows.len() as f64
+    };
+    for quantity in AVERAGED.into_iter().chain([Quantity::Time]) {
+        if let Some(values) = measured.numbers(quantity) {
+            let values = groups.iter().map(|group| mean(&values, group)).collect();
+            let unit = if quantity == Quantity::Time {
+                Unit::Fixed
+            } else {
+                Unit::Length(1.0)
+            };
+            means.put(Column::made(quantity, unit, values));
         }
     }
+    if let Some(all) = measured.orientations() {
+        let turns = groups.iter().map(|group| mean_orientation(&all, group));
+        means.put_orientations(&turns.collect::<Vec<_>>());
+    }
+    means
 }
 
 /// The normalised mean of quaternions, which may have either sign.

@@ -10,7 +10,7 @@ use crate::document::number::quoted;
 use crate::importers::columns::{COORDINATES, Columns};
 use crate::importers::companion_file::POINTS;
 use crate::importers::job::Job;
-use crate::importers::matching::{self, Matching, listed_names};
+use crate::importers::matching::{BEARABLE, Matching, listed_names, listed_rows};
 use crate::importers::reference::{Alignment, Landmark, align};
 
 impl Job<'_> {
@@ -45,7 +45,7 @@ impl Job<'_> {
             "the instrument lost the reflector ({point}) in {count} measurements: {which}",
             count = lost.len(),
             point = [stands; 3].map(|value| value.to_string()).join(", "),
-            which = matching::listed_rows(columns, &lost)
+            which = listed_rows(columns, &lost)
         );
         self.left_out(self.place.clone(), found);
     }
@@ -65,11 +65,10 @@ impl Job<'_> {
             // Nothing to align: the points are places of anchors, sockets or stations.
             return Ok((columns, None));
         }
-        let known = self.named_points(companion, "reference")?;
+        let known = self.named_points(companion)?;
         let place = companion.place();
         let (Some(names), Some(points)) = (columns.points(), columns.places()) else {
             return self.refuse(
-                self.place.clone(),
                 text!("no names, or not all of x, y and z"),
                 Text::verbatim(POINTS),
             );
@@ -106,11 +105,10 @@ impl Job<'_> {
                     text!(
                         "{error}; not measured: {missing}",
                         error = error.describe(),
-                        missing = listed_names(&missing)
+                        missing = listed_names(&missing, BEARABLE)
                     )
                 };
-                return self.refuse(
-                    place,
+                return self.refuse_at(place,
                     found,
                     text!("at least 3 points that are not on one line, with the same names in both files"),
                 );
@@ -120,7 +118,7 @@ impl Job<'_> {
         if !missing.is_empty() {
             let found = text!(
                 "excluded reference points that were not measured: {missing}",
-                missing = listed_names(&missing)
+                missing = listed_names(&missing, BEARABLE)
             );
             self.left_out(place, found);
         }
@@ -132,7 +130,6 @@ impl Job<'_> {
             .collect();
         if rows.is_empty() {
             return self.refuse(
-                self.place.clone(),
                 text!("only reference points"),
                 text!("measured poses as well"),
             );
@@ -158,7 +155,7 @@ impl Job<'_> {
             return BTreeSet::new();
         };
         let (findings, said) = (self.findings.len(), self.sentences.len());
-        let columns = self.commands_in(companion, "q1_deg");
+        let columns = self.companion(companion, Some("q1_deg"));
         self.findings.truncate(findings);
         self.sentences.truncate(said);
         let names = columns
@@ -184,22 +181,13 @@ impl Job<'_> {
             );
             said = Text::listed([said, scaled], ", ");
         }
-        let each: Vec<String> = alignment
-            .residuals
-            .iter()
-            .filter(|residual| !residual.is_outlier)
-            .map(|residual| {
-                format!(
-                    "{} {:.4} mm",
-                    quoted(&residual.name),
-                    residual.vector_mm.norm()
-                )
-            })
-            .collect();
+        let fitting = alignment.residuals.iter().filter(|own| !own.is_outlier);
+        let each =
+            fitting.map(|own| format!("{} {:.4} mm", quoted(&own.name), own.vector_mm.norm()));
         let found = text!(
             "{found}: {name}",
             found = &said,
-            name = matching::listed_names_up_to(&each, 40)
+            name = listed_names(each, 40)
         );
         self.findings.push(Diagnostic::note(place.clone(), found));
         self.sentences.push(said);

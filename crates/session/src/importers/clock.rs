@@ -19,6 +19,7 @@ use nalgebra::{Matrix3, Matrix6, Point3, Vector3, Vector6};
 use crate::importers::path::Path;
 use crate::kinematics::Robot;
 use crate::kinematics::rigid_motion::rigid_motion;
+use crate::numeric::extent;
 use crate::refusal::Refusal;
 
 /// Steps of the coarse search.
@@ -190,14 +191,7 @@ impl<'a> Search<'a> {
             .iter()
             .map(|point| (point.position - centre).norm_squared());
         let variance = squares.sum::<f64>() / count;
-        let earliest = points
-            .iter()
-            .map(|point| point.time_s)
-            .fold(f64::INFINITY, f64::min);
-        let latest = points
-            .iter()
-            .map(|point| point.time_s)
-            .fold(f64::NEG_INFINITY, f64::max);
+        let [earliest, latest] = extent(points.iter().map(|point| point.time_s));
         let overlap = 0.5 * (latest - earliest).min(path.end() - path.start());
         let (from, to) = (
             path.start() - latest + overlap,

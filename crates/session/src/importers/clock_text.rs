@@ -166,21 +166,13 @@ fn days_since_1970(date: &str) -> Option<f64> {
         return None;
     };
     let is_leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
-    let days_of = [
-        31,
-        if is_leap { 29 } else { 28 },
-        31,
-        30,
-        31,
-        30,
-        31,
-        31,
-        30,
-        31,
-        30,
-        31,
-    ];
-    let of_month = *days_of.get(usize::try_from(month - 1).ok()?)?;
+    let of_month = match month {
+        2 if is_leap => 29,
+        2 => 28,
+        4 | 6 | 9 | 11 => 30,
+        1..=12 => 31,
+        _ => return None,
+    };
     if year < 1000 || !(1..=of_month).contains(&day) {
         return None;
     }

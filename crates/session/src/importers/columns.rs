@@ -9,6 +9,17 @@ use nalgebra::{Point3, Quaternion};
 /// The coordinates of a measured point.
 pub(crate) const COORDINATES: [Quantity; 3] = [Quantity::X, Quantity::Y, Quantity::Z];
 
+/// The axis that a letter names.
+pub(crate) fn axis_of(letter: &str) -> Option<usize> {
+    ["x", "y", "z"].iter().position(|axis| *axis == letter)
+}
+
+/// The part of a quaternion that a letter names.
+pub(crate) fn part_of(letter: &str) -> Option<usize> {
+    let parts = ["w", "x", "y", "z"];
+    parts.iter().position(|part| *part == letter)
+}
+
 #[derive(Debug, Clone)]
 pub(crate) struct Column {
     /// Its heading in the file, or what it is.
@@ -27,6 +38,16 @@ impl Column {
             number: 0,
             role: Role::Known(quantity, Some(unit)),
             cells: Cells::Numbers(values),
+        }
+    }
+
+    /// A column that a reader made itself, and that nothing uses.
+    pub(crate) fn kept(name: &str, cells: Vec<String>) -> Self {
+        Self {
+            name: name.to_owned(),
+            number: 0,
+            role: Role::Kept,
+            cells: Cells::Text(cells),
         }
     }
 
@@ -170,6 +191,18 @@ impl Columns {
                 names.push(name);
             }
             self.list.push(Column::named(quantity, names));
+        }
+    }
+
+    /// Puts numbers where no column has this quantity.
+    pub(crate) fn put_missing(
+        &mut self,
+        quantity: Quantity,
+        unit: Unit,
+        values: impl FnOnce() -> Vec<f64>,
+    ) {
+        if self.find(quantity).is_none() {
+            self.put(Column::made(quantity, unit, values()));
         }
     }
 

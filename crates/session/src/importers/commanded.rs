@@ -1,24 +1,18 @@
 //! Adds to what was measured where the robot was sent.
 
-use nalgebra::Point3;
-
-use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::diagnostic::{Place, Rejected};
 use crate::document::number::quoted;
-use crate::importers::clock::ClockOffset;
 use crate::importers::columns::Columns;
 use crate::importers::formats::Importer;
-use crate::importers::job::{Job, Matched};
-use crate::importers::join::{self, Timing};
-use crate::importers::matching::{self, Matching, Pairs, listed, listed_names_up_to};
+use crate::importers::job::{Companion, Job, Matched};
+use crate::importers::matching::{self, BEARABLE, Matching, Pairs, listed, listed_names};
+use crate::importers::reader::SHOWN_HEADINGS;
 use crate::importers::role::Role;
 use crate::kinematics::JointKind;
 use crate::sessions::Target;
-use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::columns::Quantity;
 use crate::sessions::layout::{check_joint, no_column};
-use crate::text::{Text, length};
-
-/// Headings that a message lists.
-const SHOWN: usize = 12;
+use crate::text::Text;
 
 impl Job<'_> {
     /// Columns of a table that mean nothing here are kept, and not without a word.
@@ -32,7 +26,7 @@ impl Job<'_> {
         let kept = kept.filter(|column| column.role == Role::Kept && column.name != unnamed);
         let kept: Vec<String> = kept.map(|column| quoted(&column.name)).collect();
         if !kept.is_empty() {
-            let columns = listed_names_up_to(&kept, SHOWN);
+            let columns = listed_names(kept, SHOWN_HEADINGS);
             self.note(text!(
                 "columns that are kept and not used: {columns}",
                 columns
@@ -50,7 +44,7 @@ impl Job<'_> {
         }
     }
 
-    /// Adds the commands.
+    /// Adds the commands: those that are given, else those that the measured file has recorded.
     pub(crate) fn with_commands(
         &mut self,
         columns: Columns,
@@ -58,94 +52,113 @@ impl Job<'_> {
         targets: &[Target],
     ) -> Result<(Columns, Option<Matched>), Rejected> {
         self.say_what_is_kept(&columns);
-        match (&self.settings.commands, recorded) {
-            (None, Some(recorded)) => return self.with_recorded(columns, *recorded, targets),
-            (Some(_), Some(_)) => {
-                self.note(text!(
-                    "commands are given: the joint values that the file has recorded are not used"
-                ));
+        let given = self.settings.commands.as_ref();
+        let is_recorded = given.is_none() && recorded.is_some();
+        let place = given.map_or_else(|| self.place.clone(), Companion::place);
+        let commands = match (given, recorded) {
+            (None, None) => return self.with_own_commands(columns),
+            (None, Some(recorded)) => *recorded,
+            (Some(companion), recorded) => {
+                if recorded.is_some() {
+                    self.note(text!(
+                        "commands are given: the joint values that the file has recorded are not used"
+                    ));
+                }
+                self.given_commands(companion, &columns)?
             }
-            _ => {}
-        }
-        let joints = self.settings.robot.joint_count();
-        let leading = self
-            .settings
-            .robot
-            .leading(&(0..joints).collect::<Vec<usize>>());
-        let own: Vec<usize> = (0..joints)
-            .filter(|&joint| columns.find(Quantity::Commanded(joint)).is_some())
-            .collect();
-        let Some(companion) = &self.settings.commands else {
-            if let Some(&joint) = leading.iter().find(|joint| !own.contains(joint)) {
-                let found = no_column(&format!("q{}", joint + 1));
-                let expected = text!(
-                    "--commands with a column q{joint}_deg, or such a column in the measured file; --columns says which it is under another heading",
-                    joint = joint + 1
-                );
-                return self.refuse(self.place.clone(), found, expected);
-            }
+        };
+        self.check_joints(&commands, &place)?;
+        let by = if is_recorded {
+            self.sentences.push(text!(
+                "commands are the recorded joint values, matched by time"
+            ));
+            Matching::Time
+        } else {
+            let by = self.matching(&columns, &commands);
+            self.sentences
+                .push(text!("commands matched: {how}", how = by.id()));
+            by
+        };
+        let time_heading = commands
+            .find(Quantity::Time)
+            .map_or_else(String::new, |column| column.name.clone());
+        let (mut pairs, mut clock) = (Pairs::default(), None);
+        let (columns, left) = if by == Matching::Time {
+            let (columns, mut left, found) =
+                self.by_time(columns, commands, targets, &place, is_recorded)?;
+            // Both have a time, of course.
+            left.retain(|name| name != &time_heading);
+            clock = Some(found);
+            (columns, left)
+        } else {
+            let found = match by {
+                Matching::Name => matching::by_name(&columns, &commands),
+                _ => matching::by_order(&columns, &commands),
+            };
+            pairs = match found {
+                Ok(pairs) => pairs,
+                Err((found, expected)) => return self.refuse(found, expected),
+            };
+            self.say_lonely(&pairs, &place);
+            matching::join(columns, commands, &pairs)
+        };
+        self.say_twice(&left);
+        let matched = Matched {
+            by,
+            samples: columns.rows(),
+            lonely_measurements: pairs.lonely_measured,
+            lonely_commands: pairs.lonely_commands,
+            clock,
+        };
+        Ok((columns, Some(matched)))
+    }
+
+    /// The first joint of which a table lacks the commands, and which follows no other.
+    fn lacking(&self, commands: &Columns) -> Option<usize> {
+        let robot = self.settings.robot;
+        let all: Vec<usize> = (0..robot.joint_count()).collect();
+        let mut leading = robot.leading(&all).into_iter();
+        leading.find(|joint| commands.find(Quantity::Commanded(*joint)).is_none())
+    }
+
+    /// The measured file has the commands itself.
+    fn with_own_commands(&self, columns: Columns) -> Result<(Columns, Option<Matched>), Rejected> {
+        let Some(joint) = self.lacking(&columns) else {
             return Ok((columns, None));
         };
-        if let Some(joint) = own.first() {
+        let found = no_column(&format!("q{}", joint + 1));
+        let expected = text!(
+            "--commands with a column q{joint}_deg, or such a column in the measured file; --columns says which it is under another heading",
+            joint = joint + 1
+        );
+        self.refuse(found, expected)
+    }
+
+    /// The commands of a file beside the measured one, which has none itself.
+    fn given_commands(
+        &mut self,
+        companion: &Companion<'_>,
+        measured: &Columns,
+    ) -> Result<Columns, Rejected> {
+        let joints = self.settings.robot.joint_count();
+        let is_own = |joint: &usize| measured.find(Quantity::Commanded(*joint)).is_some();
+        if let Some(joint) = (0..joints).find(is_own) {
             let found = text!(
                 "commands are given, and the measured file has those of joint {joint} too",
                 joint = joint + 1
             );
-            return self.refuse(self.place.clone(), found, text!("one of the two"));
+            return self.refuse(found, text!("one of the two"));
         }
         let header: Vec<String> = (1..=joints).map(|joint| format!("q{joint}_deg")).collect();
-        let commands = self.commands_in(companion, &header.join(","))?;
-        let place = companion.place();
-        let lacking = |joint: &&usize| commands.find(Quantity::Commanded(**joint)).is_none();
-        if let Some(joint) = leading.iter().find(lacking) {
-            return self.refuse(
-                place,
+        let commands = self.companion(companion, Some(&header.join(",")))?;
+        if let Some(joint) = self.lacking(&commands) {
+            return self.refuse_at(
+                companion.place(),
                 no_column(&format!("q{}", joint + 1)),
                 text!("a header such as {header}", header = header.join(",")),
             );
         }
-        if let Some(wrong) = self.joints_checked(&commands, &place) {
-            return self.refused(wrong);
-        }
-        let by = self.matching(&columns, &commands);
-        let time_heading = commands
-            .find(Quantity::Time)
-            .map_or_else(String::new, |column| column.name.clone());
-        let mut matched = Matched {
-            by,
-            samples: 0,
-            lonely_measurements: Vec::new(),
-            lonely_commands: Vec::new(),
-            clock: None,
-        };
-        self.sentences.push(by.in_words());
-        let (columns, left) = match by {
-            Matching::Order => match matching::by_order(&columns, &commands) {
-                Ok(pairs) => matching::join(columns, commands, &pairs),
-                Err((found, expected)) => return self.refuse(self.place.clone(), found, expected),
-            },
-            Matching::Name => match matching::by_name(&columns, &commands) {
-                Ok(pairs) => {
-                    self.say_lonely(&pairs, &place);
-                    let joined = matching::join(columns, commands, &pairs);
-                    matched.lonely_measurements = pairs.lonely_measured;
-                    matched.lonely_commands = pairs.lonely_commands;
-                    joined
-                }
-                Err((found, expected)) => return self.refuse(self.place.clone(), found, expected),
-            },
-            Matching::Time => {
-                let (columns, mut left, clock) =
-                    self.by_time(columns, commands, targets, &place, false)?;
-                // Both have a time, of course.
-                left.retain(|name| name != &time_heading);
-                matched.clock = Some(clock);
-                (columns, left)
-            }
-        };
-        self.say_twice(&left);
-        matched.samples = columns.rows();
-        Ok((columns, Some(matched)))
+        Ok(commands)
     }
 
     /// How they are matched; warns where names say otherwise than the order that was asked for.
@@ -161,122 +174,23 @@ impl Job<'_> {
         by
     }
 
-    /// Adds where the robot was by the measured file's own recording, matched by time.
-    fn with_recorded(
-        &mut self,
-        columns: Columns,
-        recorded: Columns,
-        targets: &[Target],
-    ) -> Result<(Columns, Option<Matched>), Rejected> {
-        let place = self.place.clone();
-        if let Some(wrong) = self.joints_checked(&recorded, &place) {
-            return self.refused(wrong);
-        }
-        let joints = self.settings.robot.joint_count();
-        let own = &self.settings.robot.joints;
-        let lacks = |joint: &usize| {
-            own[*joint].follows.is_none() && recorded.find(Quantity::Commanded(*joint)).is_none()
-        };
-        if let Some(joint) = (0..joints).find(lacks) {
-            let found = no_column(&format!("q{}", joint + 1));
-            return self.refuse(place, found, text!("as many joints as the robot has"));
-        }
-        self.sentences.push(text!(
-            "commands are the recorded joint values, matched by time"
-        ));
-        let (columns, _, clock) = self.by_time(columns, recorded, targets, &place, true)?;
-        let matched = Matched {
-            by: Matching::Time,
-            samples: columns.rows(),
-            lonely_measurements: Vec::new(),
-            lonely_commands: Vec::new(),
-            clock: Some(clock),
-        };
-        Ok((columns, Some(matched)))
-    }
-
     pub(crate) fn say_lonely(&mut self, pairs: &Pairs, commands: &Place) {
         if !pairs.lonely_measured.is_empty() {
-            let which = listed(&pairs.lonely_measured);
+            let which = listed(&pairs.lonely_measured, BEARABLE);
             let found = text!("measurements without a command: {which}", which);
             self.left_out(self.place.clone(), found);
         }
         if !pairs.lonely_commands.is_empty() {
-            let which = listed(&pairs.lonely_commands);
+            let which = listed(&pairs.lonely_commands, BEARABLE);
             let found = text!("commands without a measurement: {which}", which);
             self.left_out(commands.clone(), found);
         }
     }
 
-    pub(crate) fn by_time(
-        &mut self,
-        columns: Columns,
-        commands: Columns,
-        targets: &[Target],
-        place: &Place,
-        is_recorded: bool,
-    ) -> Result<(Columns, Vec<String>, ClockOffset), Rejected> {
-        let positions: Vec<Point3<f64>> = targets.iter().map(|target| target.position_mm).collect();
-        let used = columns.texts(Role::Known(Quantity::Target, Some(Unit::Fixed)));
-        let index = |name: &str| {
-            targets
-                .iter()
-                .position(|target| target.name == name)
-                .unwrap_or(0)
-        };
-        let used: Vec<usize> = used.unwrap_or_default().into_iter().map(index).collect();
-        let timing = Timing {
-            offset_s: self.settings.clock_offset_s,
-            is_recorded,
-        };
-        let robot = self.settings.robot;
-        let done = join::by_time(
-            columns,
-            commands,
-            robot,
-            (&positions, &used),
-            timing,
-            (&self.place, place),
-        );
-        let done = match done {
-            Ok(done) => done,
-            Err(error) => return self.refused(vec![*error]),
-        };
-        let clock = done.clock;
-        let said = match clock.ci95_s() {
-            Some([from, to]) => text!(
-                "the clocks are {offset} s apart (command less measurement; 95 % confidence interval [{from}, {to}], {left} left)",
-                offset = format!("{:+.6}", clock.offset_s),
-                from = format!("{from:+.6}"),
-                to = format!("{to:+.6}"),
-                left = length(clock.rms_mm, 3)
-            ),
-            None => text!(
-                "the clocks are {offset} s apart, as stated",
-                offset = format!("{:+.4}", clock.offset_s)
-            ),
-        };
-        self.note(said.clone());
-        self.sentences.push(said);
-        self.sentences
-            .extend(done.findings.iter().map(|finding| finding.found.clone()));
-        self.findings.extend(done.findings);
-        Ok((done.columns, done.left, clock))
-    }
-
-    /// Joints that do not exist, and units that do not suit them.
-    pub(crate) fn joints_checked(
-        &self,
-        columns: &Columns,
-        place: &Place,
-    ) -> Option<Vec<Diagnostic>> {
-        let kinds: Vec<JointKind> = self
-            .settings
-            .robot
-            .joints
-            .iter()
-            .map(|joint| joint.kind)
-            .collect();
+    /// Refuses joints that do not exist, and units that do not suit them.
+    pub(crate) fn check_joints(&self, columns: &Columns, place: &Place) -> Result<(), Rejected> {
+        let joints = self.settings.robot.joints.iter();
+        let kinds: Vec<JointKind> = joints.map(|joint| joint.kind).collect();
         let mut findings = Vec::new();
         for column in &columns.list {
             if let Role::Known(quantity, Some(unit)) = column.role {
@@ -284,6 +198,10 @@ impl Job<'_> {
                 check_joint(quantity, unit, &kinds, place, &mut findings);
             }
         }
-        (!findings.is_empty()).then_some(findings)
+        if findings.is_empty() {
+            Ok(())
+        } else {
+            self.refused(findings)
+        }
     }
 }

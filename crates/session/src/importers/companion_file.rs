@@ -11,37 +11,33 @@ use crate::document::number::{ONCE, hexadecimal, quoted};
 use crate::importers::columns::Columns;
 use crate::importers::formats::{csv, tracker};
 use crate::importers::job::{Companion, Job};
-use crate::importers::matching::listed_names;
+use crate::importers::matching::{BEARABLE, listed_names};
 use crate::importers::role::Role;
-use crate::importers::settings::{About, Inspection, ReadContext, Reading};
+use crate::importers::settings::{About, ReadContext, Reading};
 use crate::sessions::Target;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::default_targets;
 use crate::tables::encoding;
 use crate::text::Text;
 
-/// The option that names the file of the commands.
-const COMMANDS: &str = "commands";
-
 /// The heading of points with names.
 pub(crate) const POINTS: &str = "name,x_mm,y_mm,z_mm";
 
 impl Job<'_> {
-    /// Reads a file beside the measured one, which this option names.
+    /// Reads a file beside the measured one: commands, which may have a header such as this, or else points with names.
     pub(crate) fn companion(
         &mut self,
         companion: &Companion<'_>,
-        option: &str,
-        header: &str,
-        reader: fn(&mut ReadContext<'_>) -> Option<Columns>,
+        commands: Option<&str>,
     ) -> Result<Columns, Rejected> {
+        let header = commands.unwrap_or(POINTS);
         let mut findings = Vec::new();
         let decoded = encoding::decode(companion.bytes, &companion.place(), &mut findings);
         let (text, encoding) = match decoded {
             Ok(decoded) => decoded,
             Err(error) => return self.refused(vec![*error]),
         };
-        let are_commands = option == COMMANDS;
+        let are_commands = commands.is_some();
         let read_with = |asked: &[About]| {
             let given = self.reading;
             // What was said about the measured file holds here only where this file does not tell.
@@ -61,15 +57,12 @@ impl Job<'_> {
                 },
                 ..Reading::default()
             };
-            let mut context = ReadContext {
-                text: &text,
-                bytes: companion.bytes,
-                reading: &reading,
-                place: companion.place(),
-                found: Inspection::default(),
-                part: self.part,
+            let mut context = ReadContext::new(&text, companion.bytes, &reading, self.part);
+            let columns = if are_commands {
+                csv::read_any(&mut context)
+            } else {
+                tracker::read(&mut context)
             };
-            let columns = reader(&mut context);
             let columns = columns.filter(|_| !context.is_open());
             (context.found, columns)
         };
@@ -105,30 +98,20 @@ impl Job<'_> {
         self.sentences.push(text!(
             "{found}: {name}",
             found = file,
-            name = encoding.to_string()
+            name = encoding.name()
         ));
         Ok(columns)
-    }
-
-    /// The commands.
-    pub(crate) fn commands_in(
-        &mut self,
-        companion: &Companion<'_>,
-        header: &str,
-    ) -> Result<Columns, Rejected> {
-        self.companion(companion, COMMANDS, header, csv::read_any)
     }
 
     /// Points with their names, mm.
     pub(crate) fn named_points(
         &mut self,
         companion: &Companion<'_>,
-        option: &str,
     ) -> Result<BTreeMap<String, Point3<f64>>, Rejected> {
-        let columns = self.companion(companion, option, POINTS, tracker::read)?;
+        let columns = self.companion(companion, None)?;
         let place = companion.place();
         let (Some(names), Some(points)) = (columns.points(), columns.places()) else {
-            return self.refuse(
+            return self.refuse_at(
                 place,
                 text!("no names, or not all of x, y and z"),
                 Text::verbatim(POINTS),
@@ -141,14 +124,14 @@ impl Job<'_> {
                 None => place.clone(),
             };
             if name.is_empty() || point.coords.iter().any(|v| !v.is_finite()) {
-                return self.refuse(
+                return self.refuse_at(
                     place,
                     text!("a point without a name or a coordinate"),
                     Text::verbatim(POINTS),
                 );
             }
             if named.insert((*name).to_owned(), point).is_some() {
-                return self.refuse(
+                return self.refuse_at(
                     place,
                     text!("{name} a second time", name = quoted(name)),
                     ONCE,
@@ -161,7 +144,7 @@ impl Job<'_> {
     /// Reflectors: those of the file that was given, or one at the tool's origin.
     pub(crate) fn targets(&mut self, columns: &Columns) -> Result<Vec<Target>, Rejected> {
         if let Some(companion) = &self.settings.targets {
-            let named = self.named_points(companion, "targets")?;
+            let named = self.named_points(companion)?;
             let targets = named
                 .into_iter()
                 .map(|(name, position_mm)| Target { name, position_mm });
@@ -184,13 +167,12 @@ impl Job<'_> {
                 Ok(vec![at_origin(name)])
             }
             _ => {
-                let names: Vec<String> = used.iter().map(|name| quoted(name)).collect();
+                let names = used.iter().map(|name| quoted(name));
                 let found = text!(
                     "several targets whose positions are not stated: {names}",
-                    names = listed_names(&names)
+                    names = listed_names(names, BEARABLE)
                 );
                 self.refuse(
-                    self.place.clone(),
                     found,
                     text!("--targets with their names and positions in the tool frame"),
                 )

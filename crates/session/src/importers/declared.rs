@@ -11,10 +11,11 @@ use nalgebra::Point3;
 use super::options::{PLANE, SOCKET, SOCKET_DISTANCES};
 use crate::diagnostic::Rejected;
 use crate::document::number::quoted;
-use crate::importers::columns::{Column, Columns};
+use crate::importers::columns::{COORDINATES, Column, Columns};
 use crate::importers::job::Job;
-use crate::importers::matching::{listed, listed_names};
+use crate::importers::matching::{BEARABLE, listed, listed_names};
 use crate::importers::role::Role;
+use crate::importers::settings::wrong_value;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::{Anchor, Azimuth, Group, Plane, References, Socket, SocketDistance, Station};
 use crate::tables::{Cells, Names};
@@ -34,17 +35,14 @@ impl Job<'_> {
         self.one_for_all(columns, PLANE, Quantity::Plane);
         let has = |columns: &Columns, quantity| columns.find(quantity).is_some();
         // Beside points a column of the commands that is called `socket` is no more than text.
-        let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
-        if !coordinates.into_iter().any(|axis| has(columns, axis)) {
+        if !COORDINATES.into_iter().any(|axis| has(columns, axis)) {
             for quantity in [Quantity::Socket, Quantity::Plane, Quantity::Station] {
                 taken_from_commands(columns, quantity);
             }
         }
         if has(columns, Quantity::Distance) {
             taken_from_commands(columns, Quantity::Anchor);
-            let said = self.reading.options.get(ANCHOR).map(|name| name.trim());
-            let name = said.filter(|name| !name.is_empty()).unwrap_or("A");
-            columns.name_all(Quantity::Anchor, name);
+            columns.name_all(Quantity::Anchor, self.stated(ANCHOR).unwrap_or("A"));
         }
         if has(columns, Quantity::Azimuth) {
             columns.name_all(Quantity::Station, "S");
@@ -52,7 +50,7 @@ impl Job<'_> {
         let named = [Quantity::Distance, Quantity::Socket, Quantity::Azimuth];
         let asks = named.into_iter().any(|quantity| has(columns, quantity));
         let known = match &self.settings.reference {
-            Some(companion) if asks => self.named_points(companion, "reference")?,
+            Some(companion) if asks => self.named_points(companion)?,
             _ => Points::new(),
         };
         let position_mm = |name: &String| known.get(name).copied();
@@ -89,10 +87,15 @@ impl Job<'_> {
         })
     }
 
+    /// The name that an option states.
+    fn stated(&self, option: &str) -> Option<&str> {
+        let said = self.reading.options.get(option)?.trim();
+        (!said.is_empty()).then_some(said)
+    }
+
     /// The column that an option makes: the same name in all rows.
     fn one_for_all(&mut self, columns: &mut Columns, option: &str, quantity: Quantity) {
-        let said = self.reading.options.get(option).map(|name| name.trim());
-        let Some(name) = said.filter(|name| !name.is_empty()) else {
+        let Some(name) = self.stated(option) else {
             return;
         };
         if columns.find(quantity).is_some() {
@@ -111,8 +114,7 @@ impl Job<'_> {
     ) -> impl Iterator<Item = String> + use<> {
         let names = names_in(columns, quantity);
         if let Some(said) = said(&names, quantity, points) {
-            self.note(said.clone());
-            self.sentences.push(said);
+            self.say(said);
         }
         names.into_iter()
     }
@@ -121,7 +123,8 @@ impl Job<'_> {
         if columns.find(Quantity::Distance).is_none() {
             return Ok(Vec::new());
         }
-        let offset_mm = self.anchor_offset()?;
+        let stated = self.reading.length_mm(ANCHOR_OFFSET);
+        let offset_mm = stated.or_else(|(found, expected)| self.refuse(found, expected))?;
         let names = names_in(columns, Quantity::Anchor);
         let mut said = said(&names, Quantity::Anchor, points).unwrap_or_default();
         if offset_mm.is_none() {
@@ -130,31 +133,13 @@ impl Job<'_> {
                 said
             );
         }
-        self.note(said.clone());
-        self.sentences.push(said);
+        self.say(said);
         let anchor = |name: String| Anchor {
             position_mm: points.get(&name).copied(),
             name,
             offset_mm,
         };
         Ok(names.into_iter().map(anchor).collect())
-    }
-
-    fn anchor_offset(&self) -> Result<Option<f64>, Rejected> {
-        let Some(said) = self.reading.options.get(ANCHOR_OFFSET) else {
-            return Ok(None);
-        };
-        match said.trim().parse::<f64>() {
-            Ok(value) if value.is_finite() => Ok(Some(value)),
-            _ => {
-                let found = text!(
-                    "--{option}: {found}",
-                    option = ANCHOR_OFFSET,
-                    found = quoted(said)
-                );
-                self.refuse(self.place.clone(), found, text!("a length in mm"))
-            }
-        }
     }
 
     fn socket_distances(&mut self, sockets: &[Socket]) -> Result<Vec<SocketDistance>, Rejected> {
@@ -179,16 +164,12 @@ impl Job<'_> {
             });
             let Some(read) = read else {
                 let names: Vec<&str> = sockets.iter().map(|socket| socket.name.as_str()).collect();
-                let found = text!(
-                    "--{option}: {found}",
-                    option = SOCKET_DISTANCES,
-                    found = quoted(one)
-                );
+                let found = wrong_value(SOCKET_DISTANCES, one);
                 let expected = text!(
                     "two of the sockets ({names}) and a length in mm, such as S1-S2=400",
                     names = names.join(", ")
                 );
-                return self.refuse(self.place.clone(), found, expected);
+                return self.refuse(found, expected);
             };
             all.push(read);
         }
@@ -199,8 +180,10 @@ impl Job<'_> {
 /// What is named, and which of the places are not known; `None` where nothing is named.
 fn said(names: &BTreeSet<String>, quantity: Quantity, points: &Points) -> Option<Text> {
     let group = Group::of_name(&quantity.heading(None))?;
-    let called: Vec<Text> = names.iter().map(|name| group.called(name)).collect();
-    let said = (!called.is_empty()).then(|| listed(&called))?;
+    if names.is_empty() {
+        return None;
+    }
+    let said = listed(names.iter().map(|name| group.called(name)), BEARABLE);
     let unknown = names.iter().filter(|name| !points.contains_key(*name));
     let unknown: Vec<String> = unknown.map(|name| quoted(name)).collect();
     Some(if unknown.is_empty() {
@@ -209,7 +192,7 @@ fn said(names: &BTreeSet<String>, quantity: Quantity, points: &Points) -> Option
         text!(
             "{said}; not known where, and to be fitted: {unknown}",
             said,
-            unknown = listed_names(&unknown)
+            unknown = listed_names(unknown, BEARABLE)
         )
     })
 }

@@ -7,25 +7,11 @@
 use crate::importers::columns::{Column, Columns};
 use crate::importers::job::{Job, Matched};
 use crate::importers::matching::Matching;
+use crate::importers::path::sides;
 use crate::sessions::columns::{Quantity, Unit};
 
 /// A joint that moves less than this has not moved, rad or mm: what rounding leaves.
 const STANDING: f64 = 1e-9;
-
-/// The sides of one joint's values.
-fn sides(values: &[f64]) -> Vec<f64> {
-    let (mut side, mut from) = (0.0, f64::NAN);
-    let mut each = |&here: &f64| {
-        if (here - from).abs() > STANDING {
-            side = (here - from).signum();
-        }
-        if here.is_finite() {
-            from = here;
-        }
-        side
-    };
-    values.iter().map(&mut each).collect()
-}
 
 impl Job<'_> {
     /// Derives directions where that was asked for; says that it can be where nothing tells them.
@@ -58,15 +44,17 @@ impl Job<'_> {
         for joint in lacking {
             if let Some(values) = columns.numbers(Quantity::Commanded(joint)) {
                 let quantity = Quantity::Direction(joint);
-                columns.put(Column::made(quantity, Unit::Fixed, sides(&values)));
+                columns.put(Column::made(
+                    quantity,
+                    Unit::Fixed,
+                    sides(&values, STANDING),
+                ));
             }
         }
-        let sentence = text!(
+        self.say(text!(
             "the side of approach ({joints}) is that of the motion since the row before: the rows are in measuring order, as stated",
             joints
-        );
-        self.note(sentence.clone());
-        self.sentences.push(sentence);
+        ));
     }
 }
 
@@ -78,7 +66,7 @@ mod tests {
     fn a_joint_that_stands_keeps_its_side() {
         let values = [0.0, 0.0, 0.5, 0.5, 1.0, 0.2, 0.2 + 1e-12, f64::NAN, 0.3];
         let expected = [0.0, 0.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0];
-        assert_eq!(sides(&values), expected);
-        assert!(sides(&[]).is_empty());
+        assert_eq!(sides(&values, STANDING), expected);
+        assert!(sides(&[], STANDING).is_empty());
     }
 }

@@ -19,10 +19,9 @@ use nalgebra::{Quaternion, Unit as Direction, UnitQuaternion, Vector3};
 
 use super::options::EULER;
 use super::turns::Turn;
-use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::role::Role;
-use crate::importers::settings::{About, ReadContext};
+use crate::importers::settings::{About, ReadContext, wrong_value};
 use crate::sessions::columns::Quantity;
 
 /// How three numbers make an orientation.
@@ -211,7 +210,7 @@ impl ReadContext<'_> {
             }
             Some(Answer::Wrong) => {
                 self.refuse(
-                    text!("--{option}: {found}", option = EULER, found = quoted(&self.reading.options[EULER])),
+                    wrong_value(EULER, &self.reading.options[EULER]),
                     text!("an order of axes and whether they move, such as zyx-moving or xyz-fixed, or rotvec"),
                 );
             }

@@ -6,8 +6,9 @@
 
 use std::collections::BTreeMap;
 
+use crate::importers::columns::{COORDINATES, axis_of, part_of};
 use crate::importers::headings::{Words, is_among, words_and_unit};
-use crate::importers::role::Role;
+use crate::importers::role::{Proposal, Role, has};
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
 
@@ -19,26 +20,11 @@ const NOT_MEASURED: Words = "nominal nom dev deviation delta error err sigma std
 /// Words of families that are an orientation.
 const ORIENTATION: Words = "orientation quat quaternion rotation rot q";
 
-/// What families of columns there are.
-#[derive(Debug, PartialEq)]
-pub(crate) enum Families {
-    /// None with x and y, or these are known by themselves.
-    None,
-    /// One: what the columns are proposed to be; roles that are known already stay.
-    One(Vec<Role>),
-    /// Several, by their names.
-    Several(Vec<String>),
-}
-
-/// Looks for families that have x and y.
-pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Families {
-    let has = |wanted| {
-        roles
-            .iter()
-            .any(|role: &Role| role.quantity() == Some(wanted))
-    };
-    if has(Quantity::X) || has(Quantity::Y) || has(Quantity::Z) {
-        return Families::None;
+/// What the columns are proposed to be, with the roles that are known already: a family that has x and y, or the one
+/// coordinate that is missing; or the names of several families.
+pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Proposal<Vec<Role>> {
+    if COORDINATES.into_iter().any(|axis| has(roles, axis)) {
+        return lone_coordinate(headings, roles).map_or(Proposal::None, Proposal::One);
     }
     let mut positions: BTreeMap<String, Vec<(usize, Quantity, Option<Unit>)>> = BTreeMap::new();
     let mut orientations: BTreeMap<String, Vec<(usize, usize)>> = BTreeMap::new();
@@ -60,7 +46,7 @@ pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Families {
         let name = name.trim().to_owned();
         let among = |list| before.iter().any(|word| is_among(word, list));
         let letter = last.strip_prefix('q').unwrap_or(last);
-        let part = ["w", "x", "y", "z"].iter().position(|part| *part == letter);
+        let part = part_of(letter);
         let is_part = last.len() == 2 || among(ORIENTATION);
         if let Some(part) = part.filter(|_| is_part) {
             orientations.entry(name).or_default().push((index, part));
@@ -71,24 +57,21 @@ pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Families {
             Some(Word::Unit(unit @ Unit::Length(_))) => Some(unit),
             Some(_) => continue,
         };
-        let quantity = match last {
-            "x" | "tx" | "px" => Quantity::X,
-            "y" | "ty" | "py" => Quantity::Y,
-            "z" | "tz" | "pz" => Quantity::Z,
-            _ => continue,
+        let Some(axis) = axis_of(last.strip_prefix(['t', 'p']).unwrap_or(last)) else {
+            continue;
         };
         if !name.is_empty() && !among(NOT_MEASURED) {
             positions
                 .entry(name)
                 .or_default()
-                .push((index, quantity, unit));
+                .push((index, COORDINATES[axis], unit));
         }
     }
     positions.retain(|_, members| members.len() == 3 || members.len() == 2);
     let members = match positions.len() {
-        0 => return Families::None,
+        0 => return Proposal::None,
         1 => positions.into_values().flatten(),
-        _ => return Families::Several(positions.into_keys().collect()),
+        _ => return Proposal::Several(positions.into_keys().collect()),
     };
     let mut all = roles.to_vec();
     for (index, quantity, unit) in members {
@@ -103,27 +86,26 @@ pub(crate) fn proposed(headings: &[String], roles: &[Role]) -> Families {
             all[*index] = Role::Known(Quantity::Orientation(*part), Some(Unit::Fixed));
         }
     }
-    Families::One(all)
+    Proposal::One(all)
 }
 
 /// The one coordinate that a heading hides beside two that are known: `tool X`, `Y`, `Z`.
-pub(crate) fn lone_coordinate(headings: &[String], roles: &[Role]) -> Option<Vec<Role>> {
-    let all = [Quantity::X, Quantity::Y, Quantity::Z];
-    let known = |quantity: &Quantity| {
+fn lone_coordinate(headings: &[String], roles: &[Role]) -> Option<Vec<Role>> {
+    let mut lacking = (0..3).filter(|axis| !has(roles, COORDINATES[*axis]));
+    let (Some(lacking), None) = (lacking.next(), lacking.next()) else {
+        return None;
+    };
+    let unit = COORDINATES.iter().find_map(|quantity| {
         let of = |role: &Role| match role {
             Role::Known(own, unit) if own == quantity => Some(*unit),
             _ => None,
         };
         roles.iter().find_map(of)
-    };
-    let lacking = all.iter().position(|quantity| known(quantity).is_none())?;
-    let unit = all.iter().find_map(known)?;
+    })?;
     let is_it = |(heading, role): &(&String, &Role)| {
         let (words, _) = words_and_unit(&heading.trim().to_lowercase());
         **role == Role::Kept
-            && words
-                .last()
-                .is_some_and(|word| word == ["x", "y", "z"][lacking])
+            && words.last().and_then(|word| axis_of(word)) == Some(lacking)
             && !words.iter().any(|word| is_among(word, NOT_MEASURED))
     };
     let mut those = (0..)
@@ -132,12 +114,8 @@ pub(crate) fn lone_coordinate(headings: &[String], roles: &[Role]) -> Option<Vec
     let (Some((at, _)), None) = (those.next(), those.next()) else {
         return None;
     };
-    let others = all.iter().filter(|quantity| known(quantity).is_some());
-    if others.count() < 2 {
-        return None;
-    }
     let mut proposed = roles.to_vec();
-    proposed[at] = Role::Known(all[lacking], unit);
+    proposed[at] = Role::Known(COORDINATES[lacking], unit);
     Some(proposed)
 }
 
@@ -149,7 +127,7 @@ mod tests {
     fn proposal(headings: &str) -> Option<String> {
         let headings: Vec<String> = headings.split(',').map(str::to_owned).collect();
         let roles: Vec<Role> = headings.iter().map(|heading| understand(heading)).collect();
-        let Families::One(words) = proposed(&headings, &roles) else {
+        let Proposal::One(words) = proposed(&headings, &roles) else {
             return None;
         };
         Some(

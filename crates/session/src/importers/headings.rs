@@ -6,6 +6,7 @@
 //! a session.
 
 use super::role::{Role, of_quantity};
+use crate::importers::columns::{COORDINATES, axis_of, part_of};
 use crate::importers::units::{self, Word};
 use crate::sessions::columns::{Heading, Quantity, Unit};
 
@@ -15,39 +16,37 @@ pub(crate) fn understand(heading: &str) -> Role {
     if let Heading::Known(quantity, unit) = Heading::read(&plain)
         && !quantity.needs_a_reference()
     {
-        return of_quantity(quantity, Some(unit));
+        return of_quantity(quantity, unit);
     }
     if let Some(role) = super::role::role_of_word(&plain) {
         return role;
     }
     let (words, unit) = words_and_unit(&plain);
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    let role = match (role_of(&words), unit) {
-        // A stamp may be anything, one in ns is a time.
-        (Role::Kept, Some(Word::Time(_)))
-            if matches!(words.last(), Some(&("stamp" | "timestamp"))) =>
-        {
-            Role::Time(None)
-        }
-        (role, _) => role,
-    };
+    let role = role_of(&words);
+    // A stamp may be anything, one in ns is a time.
+    let is_stamp = matches!(words.last(), Some(&("stamp" | "timestamp")));
+    let is_time = matches!(role, Role::Time(_)) || is_stamp && role == Role::Kept;
     match (role, unit) {
+        (_, Some(Word::Time(seconds))) if is_time => Role::Time(Some(seconds)),
         (Role::Turn(turn, _), Some(Word::Unit(unit @ Unit::Angle(_)))) => {
             Role::Turn(turn, Some(unit))
         }
-        (Role::Known(quantity, _), Some(Word::Unit(unit))) => match (quantity, unit) {
-            (Quantity::X | Quantity::Y | Quantity::Z, Unit::Length(_))
-            | (Quantity::Commanded(_) | Quantity::ReadBack(_) | Quantity::Speed(_), _) => {
-                Role::Known(quantity, Some(unit))
-            }
-            // An angle called x is an angle about x; a load in mm is no load.
-            _ => Role::Kept,
-        },
-        (Role::Time(_), Some(Word::Time(seconds))) => Role::Time(Some(seconds)),
-        (Role::Turn(..) | Role::Time(_), Some(_)) | (Role::Known(..), Some(Word::Time(_))) => {
-            Role::Kept
+        (Role::Known(quantity, _), Some(Word::Unit(unit))) if takes(quantity, unit) => {
+            Role::Known(quantity, Some(unit))
         }
+        (Role::Turn(..) | Role::Time(_), Some(_))
+        | (Role::Known(..), Some(Word::Time(_) | Word::Unit(_))) => Role::Kept,
         (role, _) => role,
+    }
+}
+
+/// Whether a quantity takes a unit: an angle called x is an angle about x; a load in mm is no load.
+fn takes(quantity: Quantity, unit: Unit) -> bool {
+    match quantity {
+        Quantity::X | Quantity::Y | Quantity::Z => matches!(unit, Unit::Length(_)),
+        Quantity::Commanded(_) | Quantity::ReadBack(_) | Quantity::Speed(_) => true,
+        _ => false,
     }
 }
 
@@ -149,28 +148,20 @@ fn role_of(words: &[&str]) -> Role {
         }
         _ => {}
     }
-    let rest_in = |at: usize, allowed: Words| {
-        let mut others = words.iter().enumerate().filter(|(index, _)| *index != at);
-        others.all(|(_, word)| is_among(word, allowed))
-    };
     for (at, word) in words.iter().enumerate() {
-        let measured = match *word {
-            "x" | "tx" | "posx" => Some(Quantity::X),
-            "y" | "ty" | "posy" => Some(Quantity::Y),
-            "z" | "tz" | "posz" => Some(Quantity::Z),
-            _ => None,
-        };
-        if let Some(quantity) = measured
-            && rest_in(at, MEASURED)
+        let before = word.strip_prefix("pos").or(word.strip_prefix('t'));
+        let mut others = words.iter().enumerate().filter(|(index, _)| *index != at);
+        if let Some(axis) = axis_of(before.unwrap_or(word))
+            && others.all(|(_, word)| is_among(word, MEASURED))
         {
-            return Role::Known(quantity, None);
+            return Role::Known(COORDINATES[axis], None);
         }
     }
     if let ["p", frames @ .., letter] = words
         && are_frames(frames)
-        && let Some(axis) = ["x", "y", "z"].iter().position(|axis| axis == letter)
+        && let Some(axis) = axis_of(letter)
     {
-        return Role::Known([Quantity::X, Quantity::Y, Quantity::Z][axis], None);
+        return Role::Known(COORDINATES[axis], None);
     }
     if let Some(role) = orientation(words) {
         return role;
@@ -188,19 +179,14 @@ fn are_frames(words: &[&str]) -> bool {
 
 /// `qw`, `quat w`, `Rotation X`.
 fn orientation(words: &[&str]) -> Option<Role> {
-    let part = |letter: &str| {
-        ["w", "x", "y", "z"]
-            .iter()
-            .position(|other| *other == letter)
-    };
     let part = match words {
         // Between them stand names of frames: `q_RS_w`.
         [
             "q" | "quat" | "quaternion" | "orientation",
             frames @ ..,
             letter,
-        ] if are_frames(frames) => part(letter)?,
-        [word] => part(word.strip_prefix("quat")?)?,
+        ] if are_frames(frames) => part_of(letter)?,
+        [word] => part_of(word.strip_prefix("quat")?)?,
         _ => return None,
     };
     Some(Role::Known(Quantity::Orientation(part), Some(Unit::Fixed)))

@@ -41,7 +41,6 @@ pub(super) fn read(
     reading: &Reading,
     part: ProgressSpan<'_>,
 ) -> (Inspection, Option<Columns>) {
-    let place = reading.place();
     let mut found = Inspection::default();
     let is_binary = |importer: &&Importer| match importer.known_by {
         KnownBy::Bytes(is) => {
@@ -53,7 +52,7 @@ pub(super) fn read(
     let decoded = if binary.is_some() {
         Ok((Cow::Borrowed(""), Encoding::Binary))
     } else {
-        encoding::decode(bytes, &place, &mut found.findings)
+        encoding::decode(bytes, &reading.place(), &mut found.findings)
     };
     let (text, encoding) = match decoded {
         Ok(decoded) => decoded,
@@ -67,12 +66,8 @@ pub(super) fn read(
     let importer = known.unwrap_or_else(|| proposed(&text, reading, part));
     found.kind = Some(importer);
     let mut context = ReadContext {
-        text: &text,
-        bytes,
-        reading,
-        place,
         found,
-        part,
+        ..ReadContext::new(&text, bytes, reading, part)
     };
     let columns = (importer.read)(&mut context).filter(|_| !context.is_open());
     (context.found, columns)
@@ -97,14 +92,7 @@ pub(super) fn proposed(text: &str, reading: &Reading, part: ProgressSpan<'_>) ->
         .collect();
     asked.sort_by_key(|(turn, ..)| *turn);
     let tried = |importer: &Importer| {
-        let mut context = ReadContext {
-            text,
-            bytes: text.as_bytes(),
-            reading,
-            place: reading.place(),
-            found: Inspection::default(),
-            part,
-        };
+        let mut context = ReadContext::new(text, text.as_bytes(), reading, part);
         let read = (importer.read)(&mut context);
         let found = context.found;
         let asks_for_columns = found.questions.iter().any(|q| q.about == About::Columns);

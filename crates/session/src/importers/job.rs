@@ -125,8 +125,17 @@ impl Job<'_> {
         Err(Rejected::of(all))
     }
 
-    /// Refuses for one reason.
+    /// Refuses for one reason, in the measured file.
     pub(crate) fn refuse<T>(
+        &self,
+        found: impl Into<Text>,
+        expected: impl Into<Text>,
+    ) -> Result<T, Rejected> {
+        self.refuse_at(self.place.clone(), found, expected)
+    }
+
+    /// Refuses for one reason.
+    pub(crate) fn refuse_at<T>(
         &self,
         place: Place,
         found: impl Into<Text>,
@@ -138,6 +147,12 @@ impl Job<'_> {
     pub(crate) fn note(&mut self, found: impl Into<Text>) {
         self.findings
             .push(Diagnostic::note(self.place.clone(), found));
+    }
+
+    /// Notes what the note of the session says as well.
+    pub(crate) fn say(&mut self, said: Text) {
+        self.note(said.clone());
+        self.sentences.push(said);
     }
 
     pub(crate) fn warn(&mut self, found: impl Into<Text>, expected: impl Into<Text>) {

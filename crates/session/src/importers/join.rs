@@ -6,38 +6,23 @@
 //! most points were measured in motion, each stays a sample, with the joint values between the
 //! commands before and after and their speed.
 
-use crate::text::{Template, Text};
 use std::ops::RangeInclusive;
 
 use nalgebra::Point3;
 
-use crate::diagnostic::{Diagnostic, Place};
-use crate::importers::averages::{AVERAGED, Group, Means, without_strays};
+use crate::diagnostic::{Place, Rejected};
+use crate::importers::averages::{AVERAGED, Group, means, without_strays};
 use crate::importers::clock::{self, ClockOffset, Timed};
 use crate::importers::columns::{Column, Columns};
+use crate::importers::job::Job;
 use crate::importers::matching::{Pairs, join, listed_rows};
-use crate::importers::path::{Path, Stop};
+use crate::importers::path::{Path, Stop, sides};
 use crate::importers::role::Role;
-use crate::kinematics::{JointKind, Robot};
+use crate::kinematics::Robot;
+use crate::sessions::Target;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::tables::Cells;
-
-/// What the person says about time.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Timing {
-    pub(crate) offset_s: Option<f64>,
-    /// The commands are where the robot was read to be, with the noise of its encoders.
-    pub(crate) is_recorded: bool,
-}
-
-/// What came of it.
-pub(crate) struct JoinedByTime {
-    pub(crate) columns: Columns,
-    pub(crate) clock: ClockOffset,
-    pub(crate) findings: Vec<Diagnostic>,
-    /// Headings of the commands that were not taken.
-    pub(crate) left: Vec<String>,
-}
+use crate::sessions::layout::no_column;
+use crate::text::{Template, length};
 
 /// At least this share of the points has to lie in stops for stops to be preferred.
 const MOSTLY: f64 = 0.4;
@@ -52,122 +37,135 @@ fn settled(stop: &Stop) -> RangeInclusive<f64> {
     stop.from_s + SETTLING * length..=stop.to_s - LEAVING * length
 }
 
-/// Matches by time.
-pub(crate) fn by_time(
-    measured: Columns,
-    commands: Columns,
-    robot: &Robot,
-    targets: (&[Point3<f64>], &[usize]),
-    timing: Timing,
-    places: (&Place, &Place),
-) -> Result<JoinedByTime, Box<Diagnostic>> {
-    let (measured_place, commands_place) = places;
-    let refused = |place: &Place, found: Text, expected: Template| {
-        Err(Box::new(Diagnostic::error(place.clone(), found, expected)))
-    };
-    let Some(time_s) = measured.numbers(Quantity::Time) else {
-        let found = text!("no column of times");
-        return refused(measured_place, found, TIMES);
-    };
-    let path = path_of(&commands, robot, commands_place)?;
-    let points = timed(&measured, &time_s, targets.1);
-    let clock = match timing.offset_s {
-        Some(offset_s) => clock::offset_from(&path, robot, targets.0, &points, offset_s),
-        None => match clock::find(&path, robot, targets.0, &points) {
-            Ok(clock) => clock,
-            Err(why) => {
-                let expected = phrase!("--clock-offset with the seconds to add to a measured time");
-                return refused(measured_place, why.0, expected);
-            }
-        },
-    };
-    let at: Vec<f64> = time_s.iter().map(|time| time + clock.offset_s).collect();
-    let usable: Vec<bool> = at.iter().map(|time| path.entry(*time).is_some()).collect();
-    let stops = path.stops();
-    let in_stop: Vec<Option<usize>> = at
-        .iter()
-        .zip(&usable)
-        .map(|(time, usable)| stop_at(&stops, *time).filter(|_| *usable))
-        .collect();
-    let inside = usable.iter().filter(|usable| **usable).count();
-    let standing = in_stop.iter().flatten().count();
-    if inside == 0 {
-        let found = text!("no measurement falls into the time of the commands");
-        return refused(
-            measured_place,
-            found,
-            phrase!("recordings of the same time, or another --clock-offset"),
-        );
-    }
-    let mut findings = Vec::new();
-    findings.extend(left_outside(&measured, &usable, measured_place));
-    let robot_kinds: Vec<JointKind> = robot.joints.iter().map(|joint| joint.kind).collect();
-    let job = Joining {
-        path: &path,
-        kinds: &robot_kinds,
-        at: &at,
-        targets: targets.1,
-        resolution: path.resolution(&stops, timing.is_recorded),
-        is_recorded: timing.is_recorded,
-    };
-    let (columns, left) = if standing as f64 >= MOSTLY * inside as f64 {
-        job.at_stops(
-            measured,
-            commands,
-            &stops,
-            &in_stop,
-            measured_place,
-            &mut findings,
-        )
-    } else {
-        if standing > 0 && inside > standing {
-            let found = text!(
-                "{standing} of {inside} measurements were taken at stops: all are kept, with their speeds",
-                standing,
-                inside
+impl Job<'_> {
+    /// Matches by time; also the headings of the commands that were not taken. `is_recorded`: the commands are where
+    /// the robot was read to be, with the noise of its encoders.
+    pub(crate) fn by_time(
+        &mut self,
+        measured: Columns,
+        commands: Columns,
+        targets: &[Target],
+        place: &Place,
+        is_recorded: bool,
+    ) -> Result<(Columns, Vec<String>, ClockOffset), Rejected> {
+        let robot = self.settings.robot;
+        let Some(time_s) = measured.numbers(Quantity::Time) else {
+            return self.refuse(no_column("time_s"), TIMES);
+        };
+        let path = self.path_of(&commands, place)?;
+        let shown = shown(&measured, targets);
+        let clock = self.clock(&path, targets, &timed(&measured, &time_s, &shown))?;
+        let at: Vec<f64> = time_s.iter().map(|time| time + clock.offset_s).collect();
+        let is_inside = |&row: &usize| path.entry(at[row]).is_some();
+        let (inside, outside): (Vec<usize>, Vec<usize>) = (0..at.len()).partition(is_inside);
+        if inside.is_empty() {
+            return self.refuse(
+                text!("no measurement falls into the time of the commands"),
+                phrase!("recordings of the same time, or another --clock-offset"),
             );
-            findings.push(Diagnostic::note(measured_place.clone(), found));
         }
-        job.in_motion(measured, commands, &usable)
-    };
-    Ok(JoinedByTime {
-        columns,
-        clock,
-        findings,
-        left,
-    })
-}
+        self.say_clock(&clock);
+        if !outside.is_empty() {
+            let found = text!(
+                "excluded {outside} of {usable} measurements, taken before the first or after the last command: {which}",
+                outside = outside.len(),
+                usable = at.len(),
+                which = listed_rows(&measured, &outside)
+            );
+            self.left_out(self.place.clone(), found);
+        }
+        let stops = path.stops();
+        let mut in_stop = vec![None; at.len()];
+        for &row in &inside {
+            in_stop[row] = stop_at(&stops, at[row]);
+        }
+        let standing = in_stop.iter().flatten().count();
+        let joining = Joining {
+            robot,
+            at: &at,
+            targets: &shown,
+            resolution: path.resolution(&stops, is_recorded),
+            path: &path,
+        };
+        let (columns, left) = if standing as f64 >= MOSTLY * inside.len() as f64 {
+            let groups = joining.groups(&stops, &in_stop, &measured);
+            let averaged: usize = groups.iter().map(|group| group.rows.len()).sum();
+            self.say(text!(
+                "{groups} samples at the stops of the commands, each the mean of {max} measurements on average; {moving} measurements in motion or outside are excluded",
+                groups = groups.len(),
+                max = format!("{:.1}", averaged as f64 / groups.len().max(1) as f64),
+                moving = at.len() - standing
+            ));
+            joining.at_stops(measured, commands, &groups, is_recorded)
+        } else {
+            if standing > 0 && inside.len() > standing {
+                self.say(text!(
+                    "{standing} of {inside} measurements were taken at stops: all are kept, with their speeds",
+                    standing,
+                    inside = inside.len()
+                ));
+            }
+            joining.in_motion(measured, commands, inside)
+        };
+        Ok((columns, left, clock))
+    }
 
-/// The path of the commands, or what is wrong with them.
-fn path_of(commands: &Columns, robot: &Robot, place: &Place) -> Result<Path, Box<Diagnostic>> {
-    Path::new(commands, robot).map_err(|wrong| {
-        let (place, found, expected) = match wrong {
-            None => (place.clone(), text!("no column of times"), TIMES),
-            Some(row) => (
+    /// The path of the commands, or what is wrong with them.
+    fn path_of(&self, commands: &Columns, place: &Place) -> Result<Path, Rejected> {
+        match Path::new(commands, self.settings.robot) {
+            Ok(path) => Ok(path),
+            Err(None) => self.refuse_at(place.clone(), no_column("time_s"), TIMES),
+            Err(Some(row)) => self.refuse_at(
                 place
                     .clone()
                     .at_line(commands.lines.get(row).unwrap_or(row as u64 + 1)),
                 text!("a time that is not later than the one before"),
                 phrase!("rows in the order of time"),
             ),
-        };
-        Box::new(Diagnostic::error(place, found, expected))
-    })
+        }
+    }
+
+    /// How far the clocks are apart, as stated or found.
+    fn clock(
+        &self,
+        path: &Path,
+        targets: &[Target],
+        points: &[Timed],
+    ) -> Result<ClockOffset, Rejected> {
+        let robot = self.settings.robot;
+        let targets: Vec<Point3<f64>> = targets.iter().map(|target| target.position_mm).collect();
+        if let Some(offset_s) = self.settings.clock_offset_s {
+            return Ok(clock::offset_from(path, robot, &targets, points, offset_s));
+        }
+        clock::find(path, robot, &targets, points).or_else(|why| {
+            let expected = phrase!("--clock-offset with the seconds to add to a measured time");
+            self.refuse(why.0, expected)
+        })
+    }
+
+    fn say_clock(&mut self, clock: &ClockOffset) {
+        self.say(match clock.ci95_s() {
+            Some([from, to]) => text!(
+                "the clocks are {offset} s apart (command less measurement; 95 % confidence interval [{from}, {to}], {left} left)",
+                offset = format!("{:+.6}", clock.offset_s),
+                from = format!("{from:+.6}"),
+                to = format!("{to:+.6}"),
+                left = length(clock.rms_mm, 3)
+            ),
+            None => text!(
+                "the clocks are {offset} s apart, as stated",
+                offset = format!("{:+.4}", clock.offset_s)
+            ),
+        });
+    }
 }
 
-/// Measurements outside the time of the commands.
-fn left_outside(measured: &Columns, usable: &[bool], place: &Place) -> Option<Diagnostic> {
-    let outside: Vec<usize> = (0..usable.len()).filter(|&row| !usable[row]).collect();
-    if outside.is_empty() {
-        return None;
-    }
-    let found = text!(
-        "excluded {outside} of {usable} measurements, taken before the first or after the last command: {which}",
-        outside = outside.len(),
-        usable = usable.len(),
-        which = listed_rows(measured, &outside)
-    );
-    Some(Diagnostic::warning(place.clone(), found, Text::default()))
+/// The target that each measurement shows, as its index; none where no column says it.
+fn shown(measured: &Columns, targets: &[Target]) -> Vec<usize> {
+    let names = measured.texts(Role::Known(Quantity::Target, Some(Unit::Fixed)));
+    let index = |name: &str| targets.iter().position(|target| target.name == name);
+    let names = names.unwrap_or_default().into_iter();
+    names.map(|name| index(name).unwrap_or(0)).collect()
 }
 
 fn timed(measured: &Columns, time_s: &[f64], targets: &[usize]) -> Vec<Timed> {
@@ -197,79 +195,68 @@ fn stop_at(stops: &[Stop], time_s: f64) -> Option<usize> {
 }
 
 struct Joining<'a> {
+    robot: &'a Robot,
     path: &'a Path,
-    kinds: &'a [JointKind],
     /// Time of each measurement on the clock of the commands, s.
     at: &'a [f64],
     targets: &'a [usize],
     /// How far each joint has to move before that is a motion, rad or mm.
     resolution: Vec<f64>,
-    is_recorded: bool,
 }
 
 impl Joining<'_> {
     fn unit(&self, joint: usize) -> Unit {
-        match self.kinds[joint] {
-            JointKind::Revolute => Unit::Angle(1.0),
-            JointKind::Prismatic => Unit::Length(1.0),
-        }
+        Unit::inner(self.robot.joints[joint].kind)
     }
 
-    /// Every measurement with the joint values at its time.
+    /// The side from which a joint came to each entry of the path.
+    fn sides(&self, joint: usize) -> Vec<f64> {
+        sides(&self.path.q[joint], self.resolution[joint])
+    }
+
+    /// Every measurement of these rows with the joint values at its time.
     fn in_motion(
         &self,
         measured: Columns,
         commands: Columns,
-        usable: &[bool],
+        rows: Vec<usize>,
     ) -> (Columns, Vec<String>) {
-        let rows: Vec<usize> = (0..usable.len()).filter(|&row| usable[row]).collect();
         let entries: Vec<usize> = rows
             .iter()
             .map(|&row| self.path.entry(self.at[row]).unwrap_or(0))
             .collect();
-        let has = |quantity| commands.find(quantity).is_some() || measured.find(quantity).is_some();
-        let with_speed: Vec<bool> = (0..self.kinds.len())
-            .map(|joint| !has(Quantity::Speed(joint)))
-            .collect();
-        let with_dir: Vec<bool> = (0..self.kinds.len())
-            .map(|joint| !has(Quantity::Direction(joint)))
-            .collect();
+        let at = |&row: &usize| {
+            let mut q = vec![0.0; self.robot.joint_count()];
+            self.path.at(self.at[row], &mut q);
+            q
+        };
+        let q: Vec<Vec<f64>> = rows.iter().map(at).collect();
         let pairs = Pairs {
             commands: entries.iter().map(|&entry| self.path.row[entry]).collect(),
-            measured: rows.clone(),
+            measured: rows,
             ..Pairs::default()
         };
         let (mut joined, left) = join(measured, commands, &pairs);
-        let mut q = vec![vec![0.0; rows.len()]; self.kinds.len()];
-        let mut here = vec![0.0; self.kinds.len()];
-        for (index, &row) in rows.iter().enumerate() {
-            self.path.at(self.at[row], &mut here);
-            for (column, value) in q.iter_mut().zip(&here) {
-                column[index] = *value;
-            }
-        }
-        for (joint, values) in q.into_iter().enumerate() {
+        for joint in 0..self.robot.joint_count() {
             let unit = self.unit(joint);
+            let values = q.iter().map(|q| q[joint]).collect();
             joined.put(Column::made(Quantity::Commanded(joint), unit, values));
             let speeds: Vec<f64> = entries
                 .iter()
                 .map(|&entry| self.path.speed(joint, entry))
                 .collect();
-            if with_dir[joint] {
-                let sides = self.path.came_from(joint, self.resolution[joint]);
-                let dir = entries.iter().zip(&speeds).map(|(&entry, speed)| {
+            joined.put_missing(Quantity::Direction(joint), Unit::Fixed, || {
+                let sides = self.sides(joint);
+                let side = |(&entry, speed): (&usize, &f64)| {
                     if *speed == 0.0 {
                         sides[entry]
                     } else {
                         speed.signum()
                     }
-                });
-                let dir = dir.collect();
-                joined.put(Column::made(Quantity::Direction(joint), Unit::Fixed, dir));
-            }
-            if with_speed[joint] {
-                joined.put(Column::made(Quantity::Speed(joint), unit, speeds));
-            }
+                };
+                entries.iter().zip(&speeds).map(side).collect()
+            });
+            joined.put_missing(Quantity::Speed(joint), unit, || speeds);
         }
         (joined, left)
     }
@@ -279,60 +266,37 @@ impl Joining<'_> {
         &self,
         measured: Columns,
         commands: Columns,
-        stops: &[Stop],
-        in_stop: &[Option<usize>],
-        place: &Place,
-        findings: &mut Vec<Diagnostic>,
+        groups: &[Group],
+        is_recorded: bool,
     ) -> (Columns, Vec<String>) {
-        let groups = self.groups(stops, in_stop, &measured);
-        let averaged: usize = groups.iter().map(|group| group.rows.len()).sum();
-        let moving = in_stop.iter().filter(|stop| stop.is_none()).count();
-        let found = text!(
-            "{groups} samples at the stops of the commands, each the mean of {max} measurements on average; {moving} measurements in motion or outside are excluded",
-            groups = groups.len(),
-            max = format!("{:.1}", averaged as f64 / groups.len().max(1) as f64),
-            moving
-        );
-        findings.push(Diagnostic::note(place.clone(), found));
-        let means = Means::of(&measured, &groups);
-        let has = |quantity| commands.find(quantity).is_some() || measured.find(quantity).is_some();
-        let with_dir: Vec<bool> = (0..self.kinds.len())
-            .map(|joint| !has(Quantity::Direction(joint)))
-            .collect();
+        let means = means(&measured, groups);
         let pairs = Pairs {
             measured: groups.iter().map(|group| group.rows[0]).collect(),
             commands: groups
                 .iter()
-                .map(|group| self.path.row[stops[group.stop].last])
+                .map(|group| self.path.row[group.stop.last])
                 .collect(),
             ..Pairs::default()
         };
         let (mut joined, left) = join(measured, commands, &pairs);
-        means.put_into(&mut joined);
-        if self.is_recorded {
-            for joint in 0..self.kinds.len() {
-                let mean = |group: &Group| self.path.mean(joint, &settled(&stops[group.stop]));
+        for column in means.list {
+            joined.put(column);
+        }
+        for joint in 0..self.robot.joint_count() {
+            if is_recorded {
+                let mean = |group: &Group| self.path.mean(joint, &settled(&group.stop));
                 let values = groups.iter().map(mean).collect();
-                let unit = self.unit(joint);
-                joined.put(Column::made(Quantity::Commanded(joint), unit, values));
+                let quantity = Quantity::Commanded(joint);
+                joined.put(Column::made(quantity, self.unit(joint), values));
             }
+            joined.put_missing(Quantity::Direction(joint), Unit::Fixed, || {
+                let sides = self.sides(joint);
+                groups.iter().map(|group| sides[group.stop.first]).collect()
+            });
         }
-        for joint in (0..self.kinds.len()).filter(|&joint| with_dir[joint]) {
-            let sides = self.path.came_from(joint, self.resolution[joint]);
-            let dir = groups.iter().map(|group| sides[stops[group.stop].first]);
-            let dir = dir.collect();
-            joined.put(Column::made(Quantity::Direction(joint), Unit::Fixed, dir));
-        }
-        let counts = groups
-            .iter()
-            .map(|group| group.rows.len().to_string())
-            .collect();
-        joined.list.push(Column {
-            name: "averaged".to_owned(),
-            number: 0,
-            role: Role::Kept,
-            cells: Cells::Text(counts),
-        });
+        let counts = groups.iter().map(|group| group.rows.len().to_string());
+        let counts = Column::kept("averaged", counts.collect());
+        joined.list.push(counts);
         (joined, left)
     }
 
@@ -351,7 +315,8 @@ impl Joining<'_> {
             let Some(stop) = in_stop[chunk[0]] else {
                 continue;
             };
-            let used = settled(&stops[stop]);
+            let stop = stops[stop];
+            let used = settled(&stop);
             let is_used = |&&row: &&usize| used.contains(&self.at[row]);
             let mut rows: Vec<usize> = chunk.iter().filter(is_used).copied().collect();
             if rows.is_empty() {

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use crate::importers::headings;
 use crate::importers::headings::{COMMANDED, READ_BACK, Words, is_among, words_and_unit};
-use crate::importers::role::Role;
+use crate::importers::role::{Proposal, Role};
 use crate::importers::units::Word;
 use crate::sessions::columns::{Heading, Quantity, Unit};
 
@@ -45,8 +45,10 @@ fn named(plain: &str, joints: &Joints) -> Option<(Role, bool)> {
             Some(_) => (split(&name.to_lowercase()), split(plain), None),
             None => (own, words.clone(), unit),
         };
-        let is_other = matches!(headings::understand(name), Role::Known(quantity, _) if !is_of_a_joint(quantity))
-            || matches!(headings::understand(name), Role::Time(_) | Role::Point);
+        let is_other = match headings::understand(name) {
+            Role::Known(quantity, _) => quantity.joint().is_none(),
+            role => matches!(role, Role::Time(_) | Role::Point),
+        };
         if own.is_empty() || is_other {
             continue;
         }
@@ -74,23 +76,18 @@ fn named(plain: &str, joints: &Joints) -> Option<(Role, bool)> {
     best.map(|(_, role, certain)| (role, certain))
 }
 
-/// What columns are that name the joints with something in common before or behind.
-#[derive(Debug, PartialEq)]
-pub(crate) enum Shared {
-    None,
-    /// Columns and what they are, one of each joint.
-    One(Vec<(usize, Role)>),
-    /// Several sets of columns, of which each names all joints.
-    Several(Vec<String>),
-}
-
 /// Words of columns that are about joints and state no position.
 const OTHER_QUANTITY: Words = "velocity velocities speed vel qd dq acceleration acc accel effort torque moment tau force \
                                current strom temperature temp error err deviation dev delta std sigma limit min max";
 
 /// The headings that are none by themselves and name the joints, each once, with the same words before and behind:
-/// as the robot's description does, or numbered (`ur5e_elbow_joint`, `kr10_a1`, `panda_joint3`).
-pub(crate) fn shared(headings: &[String], roles: &[Role], joints: &Joints) -> Shared {
+/// as the robot's description does, or numbered (`ur5e_elbow_joint`, `kr10_a1`, `panda_joint3`). Columns and what they
+/// are, one of each joint; or the first headings of several sets, of which each names all joints.
+pub(crate) fn shared(
+    headings: &[String],
+    roles: &[Role],
+    joints: &Joints,
+) -> Proposal<Vec<(usize, Role)>> {
     let own = own_words(joints);
     let mut sets: BTreeMap<String, Vec<(usize, usize, Option<Unit>)>> = BTreeMap::new();
     for (index, (heading, role)) in headings.iter().zip(roles).enumerate() {
@@ -153,7 +150,7 @@ pub(crate) fn shared(headings: &[String], roles: &[Role], joints: &Joints) -> Sh
         found.into_iter().partition(|(_, columns)| is_read(columns));
     for set in [&commanded, &read] {
         if set.len() > 1 {
-            return Shared::Several(set.iter().map(|(first, _)| first.clone()).collect());
+            return Proposal::Several(set.iter().map(|(first, _)| first.clone()).collect());
         }
     }
     let all: Vec<(usize, Role)> = commanded
@@ -162,9 +159,9 @@ pub(crate) fn shared(headings: &[String], roles: &[Role], joints: &Joints) -> Sh
         .flat_map(|(_, columns)| columns)
         .collect();
     if all.is_empty() {
-        Shared::None
+        Proposal::None
     } else {
-        Shared::One(all)
+        Proposal::One(all)
     }
 }
 
@@ -246,16 +243,6 @@ fn by_number(words: &[String]) -> Vec<(String, usize)> {
         .collect()
 }
 
-fn is_of_a_joint(quantity: Quantity) -> bool {
-    matches!(
-        quantity,
-        Quantity::Commanded(_)
-            | Quantity::ReadBack(_)
-            | Quantity::Speed(_)
-            | Quantity::Direction(_)
-    )
-}
-
 fn split(name: &str) -> Vec<String> {
     let words = name.split(|c: char| !c.is_alphanumeric());
     words
@@ -334,9 +321,9 @@ mod tests {
             .map(|name| understand(name, &joints))
             .collect();
         match shared(&headings, &roles, &joints) {
-            Shared::None => "none".to_owned(),
-            Shared::Several(sets) => format!("{} sets", sets.len()),
-            Shared::One(columns) => {
+            Proposal::None => "none".to_owned(),
+            Proposal::Several(sets) => format!("{} sets", sets.len()),
+            Proposal::One(columns) => {
                 let words = columns
                     .iter()
                     .map(|(index, role)| format!("{index} {role}"));

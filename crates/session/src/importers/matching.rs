@@ -27,13 +27,6 @@ named! {
     pub fn id;
 }
 
-impl Matching {
-    /// What was done.
-    pub(crate) fn in_words(self) -> Text {
-        text!("commands matched: {how}", how = self.id())
-    }
-}
-
 /// How commands find their measurements by default: by name where there are as many of both, each common name is as
 /// frequent on either side, and at least half of the measured ones are among the commands in another order; else by
 /// order. Of unequal numbers an instrument's own count (`1`, `2`, …) may have slipped: there the order refuses, and
@@ -167,8 +160,8 @@ pub(crate) fn by_name(measured: &Columns, commands: &Columns) -> Result<Pairs, (
     if pairs.measured.is_empty() {
         let found = text!(
             "no name is on both sides: measured {lonely_measured}, commanded {lonely_commands}",
-            lonely_measured = listed(&pairs.lonely_measured),
-            lonely_commands = listed(&pairs.lonely_commands)
+            lonely_measured = listed(&pairs.lonely_measured, BEARABLE),
+            lonely_commands = listed(&pairs.lonely_commands, BEARABLE)
         );
         return Err((found, BOTH));
     }
@@ -189,37 +182,32 @@ pub(crate) fn row_in_words(columns: &Columns, row: usize) -> Text {
     }
 }
 
+/// How many rows or names a line can bear.
+pub(crate) const BEARABLE: usize = 8;
+
 /// Rows by their names and lines, the first ones.
 pub(crate) fn listed_rows(columns: &Columns, rows: &[usize]) -> Text {
-    let named: Vec<Text> = rows.iter().map(|&row| row_in_words(columns, row)).collect();
-    listed(&named)
+    let named = rows.iter().map(|&row| row_in_words(columns, row));
+    listed(named, BEARABLE)
 }
 
-/// A list that a line can bear.
-pub(crate) fn listed(words: &[Text]) -> Text {
-    listed_up_to(words, 8)
+/// A list of at most so many names, and how many more there are.
+pub(crate) fn listed_names(
+    names: impl IntoIterator<Item = impl Into<String>>,
+    shown: usize,
+) -> Text {
+    listed(names.into_iter().map(Text::verbatim), shown)
 }
 
-/// The same of names.
-pub(crate) fn listed_names(names: &[String]) -> Text {
-    listed_names_up_to(names, 8)
-}
-
-/// The same of at most so many names.
-pub(crate) fn listed_names_up_to(names: &[String], shown: usize) -> Text {
-    let names: Vec<Text> = names.iter().map(Text::verbatim).collect();
-    listed_up_to(&names, shown)
-}
-
-/// A list of at most so many words, and how many more there are.
-fn listed_up_to(words: &[Text], shown: usize) -> Text {
-    match words.len().saturating_sub(shown) {
-        0 => Text::listed(words, ", "),
-        more => text!(
-            "{first} and {more} more",
-            first = Text::listed(&words[..shown], ", "),
-            more
-        ),
+/// The same of words.
+pub(crate) fn listed(words: impl IntoIterator<Item = impl Into<Text>>, shown: usize) -> Text {
+    let mut words: Vec<Text> = words.into_iter().map(Into::into).collect();
+    let more = words.len().saturating_sub(shown);
+    words.truncate(shown);
+    let first = Text::listed(words, ", ");
+    match more {
+        0 => first,
+        more => text!("{first} and {more} more", first, more),
     }
 }
 

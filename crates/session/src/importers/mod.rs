@@ -39,13 +39,13 @@ mod reference;
 mod role;
 mod session;
 mod settings;
+#[cfg(test)]
+mod tests;
 mod times;
 mod turns;
 #[doc(hidden)]
 pub mod units;
 mod upwards;
-#[cfg(test)]
-mod watched;
 
 pub use clock::ClockOffset;
 pub use formats::{IMPORTERS, Importer, Meanings, OwnOption, Questions, find};

@@ -4,13 +4,13 @@
 use std::collections::BTreeMap;
 
 use super::headings;
-use super::joint_names::{Shared, is_one, shared, understand};
+use super::joint_names::{is_one, shared, understand};
 use super::reader::fixed;
-use super::role::Role;
+use super::role::{Proposal, Role};
 use super::settings::{About, ReadContext};
 use crate::document::number::quoted;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::tables::decimals::{Decimal, value};
+use crate::tables::decimals::value_alone;
 use crate::tables::{Complaints, Grid};
 
 /// How far the length of a quaternion may be from 1 for its digits, and is not where four joints are meant.
@@ -26,14 +26,10 @@ impl ReadContext<'_> {
         self.count_from_zero(names, &mut roles);
         self.take_shared_names(names, &mut roles);
         // O, A, T of a robot are angles, and T alone is a time.
-        let has = |letter: &str| {
-            names
-                .iter()
-                .any(|name| name.trim().eq_ignore_ascii_case(letter))
-        };
-        if has("o") && has("a") {
+        let is = |name: &String, letter: &str| name.trim().eq_ignore_ascii_case(letter);
+        if names.iter().any(|name| is(name, "o")) && names.iter().any(|name| is(name, "a")) {
             for (role, name) in roles.iter_mut().zip(names) {
-                if name.trim().eq_ignore_ascii_case("t") {
+                if is(name, "t") {
                     *role = Role::Kept;
                 }
             }
@@ -70,8 +66,8 @@ impl ReadContext<'_> {
             return;
         }
         match shared(names, roles, &self.reading.joints) {
-            Shared::None => {}
-            Shared::One(columns) => {
+            Proposal::None => {}
+            Proposal::One(columns) => {
                 for (index, role) in &columns {
                     roles[*index] = *role;
                 }
@@ -83,7 +79,7 @@ impl ReadContext<'_> {
                     columns = listed.collect::<Vec<_>>().join(", ")
                 ));
             }
-            Shared::Several(sets) => {
+            Proposal::Several(sets) => {
                 let sets: Vec<String> = sets.iter().map(|name| quoted(name.trim())).collect();
                 let says = text!(
                     "{count} sets of columns name all joints: those from {sets} on",
@@ -241,20 +237,8 @@ impl ReadContext<'_> {
             if at.iter().all(|index| cell(index).is_empty()) {
                 return;
             }
-            let number = |index: &usize| {
-                let cell = cell(index);
-                let decimal = if cell.contains(',') {
-                    Decimal::Comma
-                } else {
-                    Decimal::Point
-                };
-                value(cell, decimal).unwrap_or(f64::NAN)
-            };
-            let length = at
-                .iter()
-                .map(|index| number(index).powi(2))
-                .sum::<f64>()
-                .sqrt();
+            let squares = at.iter().map(|index| value_alone(cell(index)).powi(2));
+            let length = squares.sum::<f64>().sqrt();
             rows += 1;
             others += usize::from((length - 1.0).abs().is_nan() || (length - 1.0).abs() > OFF_UNIT);
         });
@@ -269,12 +253,8 @@ fn is_part(role: &Role) -> bool {
 /// The joint that a role is about.
 fn joint_of(role: Role) -> Option<usize> {
     match role.quantity()? {
-        Quantity::Commanded(joint)
-        | Quantity::ReadBack(joint)
-        | Quantity::Speed(joint)
-        | Quantity::Torque(joint)
-        | Quantity::Direction(joint) => Some(joint),
-        _ => None,
+        Quantity::JointTemperature(_) => None,
+        quantity => quantity.joint(),
     }
 }
 

@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use crate::importers::columns::Columns;
 use crate::importers::times::extent;
 use crate::kinematics::Robot;
+use crate::numeric::median;
 use crate::sessions::columns::Quantity;
 
 /// An interval in which a joint moves slower than this part of its usual speed is standing.
@@ -157,13 +158,9 @@ impl Path {
     pub(crate) fn resolution(&self, stops: &[Stop], is_read_back: bool) -> Vec<f64> {
         let of_joint = |q: &Vec<f64>| {
             let rounding = 1e-7 * extent(q);
-            let mut wander: Vec<f64> = stops
-                .iter()
-                .filter(|_| is_read_back)
-                .map(|stop| extent(&q[stop.first..=stop.last]))
-                .collect();
-            wander.sort_by(f64::total_cmp);
-            let usual = wander.get(wander.len() / 2).copied().unwrap_or(0.0);
+            let stops = stops.iter().filter(|_| is_read_back);
+            let wander = stops.map(|stop| extent(&q[stop.first..=stop.last]));
+            let usual = median(wander).unwrap_or(0.0);
             rounding.max(2.0 * usual)
         };
         self.q.iter().map(of_joint).collect()
@@ -184,21 +181,20 @@ impl Path {
         self.at(0.5 * (time_s.start() + time_s.end()), &mut q);
         q[joint]
     }
+}
 
-    /// The side from which a joint came to each entry: the sign of its last motion before, 0 where
-    /// it has not moved yet.
-    pub(crate) fn came_from(&self, joint: usize, smallest: f64) -> Vec<f64> {
-        let q = &self.q[joint];
-        let mut side = 0.0;
-        // Slow motion adds up until it is one.
-        let mut from = q.first().copied().unwrap_or(0.0);
-        let each = q.iter().map(|&here| {
-            if (here - from).abs() > smallest {
-                side = (here - from).signum();
-                from = here;
-            }
-            side
-        });
-        each.collect()
-    }
+/// The side from which a joint came to each of its values: the sign of its last motion before, 0 where it has not moved
+/// yet. Slow motion adds up until it is one.
+pub(crate) fn sides(values: &[f64], smallest: f64) -> Vec<f64> {
+    let (mut side, mut from) = (0.0, f64::NAN);
+    let each = values.iter().map(|&here| {
+        if (here - from).abs() > smallest {
+            side = (here - from).signum();
+            from = here;
+        } else if from.is_nan() {
+            from = here;
+        }
+        side
+    });
+    each.collect()
 }

@@ -4,10 +4,10 @@
 use super::settings::ReadContext;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::number::{NotANumber, quoted};
-use crate::importers::columns::{Column, Columns};
-use crate::importers::matching::listed_names_up_to;
+use crate::importers::columns::{COORDINATES, Column, Columns};
+use crate::importers::matching::listed_names;
 use crate::importers::options::{PLANE, SOCKET};
-use crate::importers::role::Role;
+use crate::importers::role::{Role, has};
 use crate::importers::settings::{About, ColumnGuess, Known, Question};
 use crate::importers::times::{Kinds, extent};
 use crate::importers::units::AngleUnit;
@@ -20,11 +20,11 @@ use crate::tables::{Complaints, Grid, Words};
 use crate::text::{Template, Text};
 
 /// Rows that are kept to be shown.
-const SHOWN_ROWS: usize = 8;
+pub(crate) const SHOWN_ROWS: usize = 8;
 /// The word for a column that is what its heading says.
 const AUTO: &str = "auto";
 /// Headings that a message lists.
-const SHOWN_HEADINGS: usize = 12;
+pub(crate) const SHOWN_HEADINGS: usize = 12;
 /// Names that are kept to be shown.
 const SHOWN_NAMES: usize = 100;
 /// What `--columns` takes.
@@ -70,6 +70,14 @@ impl<'a> ReadContext<'a> {
         !self.found.questions.is_empty() || self.found.findings.iter().any(errors)
     }
 
+    /// Whether nothing stands in the way, which a file without samples does.
+    pub(crate) fn has_samples(&mut self) -> bool {
+        if self.found.rows == 0 && !self.is_open() {
+            self.refuse(text!("no sample"), text!("at least one"));
+        }
+        !self.is_open()
+    }
+
     /// Finds the table and notes what it looks like.
     pub(crate) fn grid(&mut self) -> Option<Grid<'a>> {
         let (separator, header) = (self.reading.separator, self.reading.header);
@@ -97,7 +105,7 @@ impl<'a> ReadContext<'a> {
         found: Option<&[Role]>,
     ) -> Option<Vec<Role>> {
         let width = grid.width;
-        let headings = grid.header.as_ref().map_or(&[][..], |header| &header.1);
+        let headings = grid.headings();
         let words = self.reading.columns.clone();
         if words.is_empty() {
             return None;
@@ -154,17 +162,14 @@ impl<'a> ReadContext<'a> {
     /// or wrong.
     pub(crate) fn columns(&mut self, grid: &Grid<'a>, mut roles: Vec<Role>) -> Option<Columns> {
         let convention = self.ask_about_angles(&mut roles);
-        let headings: Vec<String> = match &grid.header {
-            Some((_, names)) => names.clone(),
-            None => Vec::new(),
-        };
-        let heading = |index: usize| heading_at(&headings, index);
+        let headings = grid.headings();
+        let heading = |index: usize| heading_at(headings, index);
         let stamp = parts_of_a_stamp(&roles);
         let mut single = roles.clone();
         if let Some([_, nanoseconds]) = stamp {
             single[nanoseconds] = Role::Left;
         }
-        self.ask_about_twins(&single, &headings);
+        self.ask_about_twins(&single, headings);
         let is_number = |index: usize| roles.get(index).is_some_and(|role| role.is_number());
         let decimal = self.decimal_sign(grid, &is_number);
         // While the sign is being asked for, a comma is good enough to know how far points spread.
@@ -174,7 +179,7 @@ impl<'a> ReadContext<'a> {
         let all: Vec<usize> = (0..roles.len()).collect();
         if decimal.is_some() || asked {
             grid.each_row(&self.place, &mut complaints, |row, complaints| {
-                reader.read(row, &all, &headings, &self.place, complaints);
+                reader.read(row, &all, headings, &self.place, complaints);
             });
         }
         // While the sign is asked for, what does not fit the one that is tried says nothing.
@@ -189,7 +194,7 @@ impl<'a> ReadContext<'a> {
             roles = single;
         }
         self.settle_units(grid, &mut roles, &cells);
-        self.settle_times(&mut roles, &mut cells, &times, &headings);
+        self.settle_times(&mut roles, &mut cells, &times, headings);
         let words = &self.reading.columns;
         self.found.columns = roles
             .iter()
@@ -207,10 +212,7 @@ impl<'a> ReadContext<'a> {
                 },
             })
             .collect();
-        if self.found.rows == 0 && !self.is_open() {
-            self.refuse(text!("no sample"), text!("at least one"));
-        }
-        if self.is_open() {
+        if !self.has_samples() {
             return None;
         }
         let list = roles
@@ -270,10 +272,6 @@ impl<'a> ReadContext<'a> {
     }
 
     /// Gives every quantity its unit, or asks for it.
-    #[allow(
-        clippy::too_many_lines,
-        reason = "what lengths and angles are in is decided together"
-    )]
     fn settle_units(&mut self, grid: &Grid<'_>, roles: &mut [Role], cells: &[Option<Cells>]) {
         let slides = |joint: usize| self.reading.joints.get(joint).is_some_and(|joint| joint.1);
         let position = |q: Quantity| match q {
@@ -333,32 +331,24 @@ impl<'a> ReadContext<'a> {
             }
             (None, None) => None,
         };
-        if let (Some((unit, symbol)), Some(heading)) = (given, says_length)
-            && !lacks_length
-        {
-            if unit != heading {
+        if let Some(heading) = says_length {
+            if let Some((unit, symbol)) = given
+                && !lacks_length
+                && unit != heading
+            {
                 self.another_unit(symbol, heading.suffix().unwrap_or_default());
             }
             self.found.unit = text!("from the headings");
-        } else if says_length.is_some() {
-            self.found.unit = text!("from the headings");
         }
-        if lacks_length {
-            match length {
-                Some(_) if named.is_some() && given.is_none() => {
-                    let found = text!("the unit is {unit}", unit = &self.found.unit);
-                    self.note(found);
-                }
-                Some(_) => {}
-                None => {
-                    let says = text!(
-                        "the unit of {roles} is not stated: {reach_mm}",
-                        roles = lengths_in_words(roles),
-                        reach_mm = units::hint(spread, self.reading.reach_mm)
-                    );
-                    self.ask(About::Unit, says, &["mm", "m", "in"]);
-                }
-            }
+        if lacks_length && length.is_none() {
+            let says = text!(
+                "the unit of {roles} is not stated: {reach_mm}",
+                roles = lengths_in_words(roles),
+                reach_mm = units::hint(spread, self.reading.reach_mm)
+            );
+            self.ask(About::Unit, says, &["mm", "m", "in"]);
+        } else if lacks_length && given.is_none() {
+            self.note(text!("the unit is {unit}", unit = &self.found.unit));
         }
         let by_file = units::of_preamble(&before, |unit| matches!(unit, Unit::Angle(_)));
         let angle = self.reading.angle_unit.map(AngleUnit::unit);
@@ -391,15 +381,13 @@ impl<'a> ReadContext<'a> {
     /// Something measured has to be there: a coordinate, an orientation, or what another kind of
     /// measurement needs.
     pub(crate) fn require_position(&mut self, grid: &Grid<'_>, roles: &[Role]) -> bool {
-        let has = |wanted| roles.iter().any(|role| role.quantity() == Some(wanted));
-        let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
-        let mut any = coordinates.into_iter().chain(BESIDE_POINTS);
+        let mut any = COORDINATES.into_iter().chain(BESIDE_POINTS);
         let turns = roles.iter().any(|role| matches!(role, Role::Turn(..)));
         // All rows may belong to one socket, or touch one plane.
         let named = [SOCKET, PLANE]
             .iter()
             .any(|name| self.reading.options.contains_key(name));
-        let is_there = turns || named || any.any(has);
+        let is_there = turns || named || any.any(|wanted| has(roles, wanted));
         if !is_there {
             self.ask_for(grid, "x, y, z");
         }
@@ -413,11 +401,11 @@ impl<'a> ReadContext<'a> {
                 text!(one "{count} column and no header", "{count} columns and no header", count = grid.width)
             }
             Some((_, names)) => {
-                let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
+                let names = names.iter().map(|name| quoted(name));
                 text!(
                     "no column is {quantity} for certain among {names}",
                     quantity,
-                    names = listed_names_up_to(&names, SHOWN_HEADINGS)
+                    names = listed_names(names, SHOWN_HEADINGS)
                 )
             }
         };
@@ -455,8 +443,7 @@ fn joined([seconds, nanoseconds]: [usize; 2], cells: &mut [Option<Cells>]) {
 
 /// The lengths that a table has.
 fn lengths_in_words(roles: &[Role]) -> Text {
-    let has = |quantity| roles.iter().any(|role| role.quantity() == Some(quantity));
-    if has(Quantity::Distance) && !has(Quantity::X) {
+    if has(roles, Quantity::Distance) && !has(roles, Quantity::X) {
         text!("the distances")
     } else {
         Text::verbatim("x, y, z")
@@ -465,6 +452,14 @@ fn lengths_in_words(roles: &[Role]) -> Text {
 
 fn heading_at(headings: &[String], index: usize) -> &str {
     headings.get(index).map_or("", String::as_str)
+}
+
+/// The place in the column with this heading, if it has one.
+pub(crate) fn below(place: Place, heading: &str) -> Place {
+    match heading {
+        "" => place,
+        heading => place.in_field(heading),
+    }
 }
 
 /// Distinct names of points, in the order in which they come.
@@ -544,10 +539,7 @@ impl<'a> CellReader<'a> {
                         complaints.add(|| {
                             let place = file.clone().at_line(row.line);
                             let place = place.at_column(index as u64 + 1);
-                            let place = match heading_at(headings, index) {
-                                "" => place,
-                                heading => place.in_field(heading),
-                            };
+                            let place = below(place, heading_at(headings, index));
                             Diagnostic::error(place, Text::verbatim(quoted(cell)), expected)
                         });
                     }
@@ -560,7 +552,7 @@ impl<'a> CellReader<'a> {
 /// A number in a column of this role.
 pub(crate) fn number(cell: &str, role: Role, decimal: Decimal) -> Result<f64, Template> {
     if let Role::Known(Quantity::Direction(_), _) = role {
-        return direction(cell).ok_or(phrase!("1, -1 or 0 (unknown), + or -, forward or backward"));
+        return direction(cell).ok_or(SIDES);
     }
     if let Role::Time(unit) = role {
         return Kinds::default().read(cell, unit, decimal);
@@ -570,6 +562,9 @@ pub(crate) fn number(cell: &str, role: Role, decimal: Decimal) -> Result<f64, Te
         (why, _) => why.expected(),
     })
 }
+
+/// What a side of approach may be.
+pub(crate) const SIDES: Template = phrase!("1, -1 or 0 (unknown), + or -, forward or backward");
 
 /// The side from which a joint came, as people write it.
 pub(crate) fn direction(text: &str) -> Option<f64> {

@@ -172,13 +172,15 @@ struct Fit {
 
 impl Fit {
     fn of(landmarks: &[&Landmark], with_scale: bool) -> Option<Self> {
+        let pairs = |scale: f64| -> Vec<(Vector3<f64>, Vector3<f64>)> {
+            let pairs = landmarks.iter();
+            let pairs = pairs.map(|l| (l.measured.coords * scale, l.in_base.coords));
+            pairs.collect()
+        };
         let mut scale = 1.0;
         if with_scale {
             // The scale is that of the extents along the best rotation, which it does not change.
-            let pairs: Vec<_> = landmarks
-                .iter()
-                .map(|l| (l.measured.coords, l.in_base.coords))
-                .collect();
+            let pairs = pairs(1.0);
             let motion = rigid_motion(&pairs)?;
             let count = landmarks.len() as f64;
             let from = pairs.iter().map(|p| p.0).sum::<Vector3<f64>>() / count;
@@ -194,11 +196,7 @@ impl Fit {
                 return None;
             }
         }
-        let pairs: Vec<_> = landmarks
-            .iter()
-            .map(|l| (l.measured.coords * scale, l.in_base.coords))
-            .collect();
-        let motion = rigid_motion(&pairs)?;
+        let motion = rigid_motion(&pairs(scale))?;
         Some(Self { motion, scale })
     }
 

@@ -5,8 +5,6 @@ use crate::importers::units::{self, TimeUnit};
 use crate::sessions::columns::{Heading, Quantity, Unit};
 use std::fmt;
 
-use super::turns::turn;
-
 /// What a column is for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Role {
@@ -27,6 +25,15 @@ pub(crate) enum Role {
     Kept,
     /// Not even kept.
     Left,
+}
+
+/// What columns are proposed to be, by what their headings have in common.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Proposal<T> {
+    None,
+    One(T),
+    /// Only a person can say which; by their names.
+    Several(Vec<String>),
 }
 
 impl Role {
@@ -61,7 +68,7 @@ impl Role {
             _ => {}
         }
         if let Heading::Known(quantity, unit) = Heading::read(word) {
-            return Some(of_quantity(quantity, Some(unit)));
+            return Some(of_quantity(quantity, unit));
         }
         if let Some(role) = role_of_word(word) {
             return Some(role);
@@ -70,24 +77,23 @@ impl Role {
             return Some(Self::Time(Some(seconds)));
         }
         // The same heading with a unit added is known: only the unit is missing.
-        ["mm", "deg"].iter().find_map(|unit| {
-            let full = if word.starts_with("speed") {
-                format!("{word}_{unit}_s")
-            } else {
-                format!("{word}_{unit}")
-            };
-            match Heading::read(&full) {
-                Heading::Known(quantity, _) => Some(Self::Known(quantity, None)),
-                Heading::Unknown { .. } => None,
-            }
+        let mut units = ["mm", "deg", "mm_s", "deg_s"].iter();
+        units.find_map(|unit| match Heading::read(&format!("{word}_{unit}")) {
+            Heading::Known(quantity, _) => Some(Self::Known(quantity, None)),
+            Heading::Unknown { .. } => None,
         })
     }
 }
 
-pub(super) fn of_quantity(quantity: Quantity, unit: Option<Unit>) -> Role {
+/// Whether one of the columns is this.
+pub(crate) fn has(roles: &[Role], quantity: Quantity) -> bool {
+    roles.iter().any(|role| role.quantity() == Some(quantity))
+}
+
+pub(super) fn of_quantity(quantity: Quantity, unit: Unit) -> Role {
     match quantity {
         Quantity::Time => Role::Time(Some(1.0)),
-        _ => Role::Known(quantity, unit),
+        _ => Role::Known(quantity, Some(unit)),
     }
 }
 
@@ -116,13 +122,9 @@ impl fmt::Display for Role {
 pub(crate) fn role_of_word(word: &str) -> Option<Role> {
     let (name, unit) = match word.rsplit_once('_') {
         None => (word, None),
-        Some((name, "deg")) => (name, Some(Unit::Angle(1.0_f64.to_radians()))),
-        Some((name, "rad")) => (name, Some(Unit::Angle(1.0))),
-        Some(_) => return None,
+        Some((name, unit)) => (name, Some(Unit::from_suffix(unit)?)),
     };
-    let known = matches!(name, "rx" | "ry" | "rz" | "euler1" | "euler2" | "euler3");
-    known
-        .then(|| turn(&[name]))
-        .flatten()
-        .map(|turn| Role::Turn(turn, unit))
+    let is_angle = unit.is_none_or(|unit| matches!(unit, Unit::Angle(_)));
+    let turn = Turn::named(name).filter(|_| is_angle)?;
+    Some(Role::Turn(turn, unit))
 }

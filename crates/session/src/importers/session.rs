@@ -132,7 +132,7 @@ fn suited(reading: &Reading, robot: &Robot) -> Result<Reading, Rejected> {
 impl Job<'_> {
     pub(super) fn say_source(&mut self, bytes: &[u8], inspection: &Inspection) {
         let kind = inspection.kind.map_or("", |kind| kind.id);
-        let mut read = vec![Text::verbatim(inspection.encoding.to_string())];
+        let mut read = vec![Text::verbatim(inspection.encoding.name())];
         read.extend(inspection.separator.map(|s| s.name().into()));
         read.extend(inspection.decimal.map(|d| d.name().into()));
         if !inspection.unit.is_empty() {

@@ -2,6 +2,7 @@
 //! ask.
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::role::Role;
 use crate::importers::units::{AngleUnit, LengthUnit, TimeUnit};
@@ -56,6 +57,17 @@ pub struct Reading {
 }
 
 impl Reading {
+    /// The length that an option states, mm; otherwise what is wrong, and what is expected.
+    pub(crate) fn length_mm(&self, option: &str) -> Result<Option<f64>, (Text, Text)> {
+        let Some(said) = self.options.get(option) else {
+            return Ok(None);
+        };
+        match said.trim().parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(Some(value)),
+            _ => Err((wrong_value(option, said), text!("a length in mm"))),
+        }
+    }
+
     /// The file as a place for messages.
     pub(crate) fn place(&self) -> Place {
         self.file.as_ref().map(Place::file).unwrap_or_default()
@@ -166,11 +178,10 @@ impl Known {
     /// How a heading is known to mean what it is taken for.
     pub(crate) fn by_heading(heading: &str) -> Self {
         let plain = heading.trim().trim_matches('"').to_lowercase();
-        let own = Role::from_word(&plain).is_some();
-        match plain.as_str() {
-            "" => Self::FromContent,
-            _ if own => Self::Certain,
-            _ => Self::FromHeading,
+        match Role::from_word(&plain) {
+            _ if plain.is_empty() => Self::FromContent,
+            Some(_) => Self::Certain,
+            None => Self::FromHeading,
         }
     }
 }
@@ -195,9 +206,7 @@ impl ColumnGuess {
             confidence: Known::Certain,
         })
     }
-}
 
-impl ColumnGuess {
     /// Whether it is used, and only a guess.
     pub fn is_guess(&self) -> bool {
         self.confidence.is_guess() && !matches!(self.meaning.as_str(), "" | "-")
@@ -245,6 +254,29 @@ pub(crate) struct ReadContext<'a> {
     pub(crate) found: Inspection,
     /// The work that reading it is a part of.
     pub(crate) part: ProgressSpan<'a>,
+}
+
+impl<'a> ReadContext<'a> {
+    pub(crate) fn new(
+        text: &'a str,
+        bytes: &'a [u8],
+        reading: &'a Reading,
+        part: ProgressSpan<'a>,
+    ) -> Self {
+        Self {
+            text,
+            bytes,
+            reading,
+            place: reading.place(),
+            found: Inspection::default(),
+            part,
+        }
+    }
+}
+
+/// What was given for an option that takes something else.
+pub(crate) fn wrong_value(option: &str, said: &str) -> Text {
+    text!("--{option}: {found}", option, found = quoted(said))
 }
 
 /// A format that instruments write.
@@ -345,6 +377,16 @@ pub(crate) enum KnownBy {
         /// Whether it suits, by what reading it brought.
         suits: Suits,
     },
+}
+
+impl KnownBy {
+    /// By having a header, under which nothing is wrong.
+    pub(crate) const fn headed(turn: u8) -> Self {
+        Self::Reading {
+            turn,
+            suits: |trial| trial.is_sound && trial.headings.is_some(),
+        }
+    }
 }
 
 /// Whether a file suits a format, by what reading it brought.

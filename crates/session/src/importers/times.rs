@@ -4,11 +4,13 @@
 //! 1970, and of a spreadsheet's days, does the size tell the unit; that is proposed.
 
 use super::clock_text::{self, Clock};
+use super::reader::below;
 use super::role::Role;
 use super::settings::{About, ReadContext};
 use super::units::TimeUnit;
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
+use crate::numeric;
 use crate::tables::Cells;
 use crate::tables::decimals::{Decimal, value};
 use crate::text::{Template, Text};
@@ -80,12 +82,8 @@ impl ReadContext<'_> {
         headings: &[String],
     ) {
         // Of two the person says which is the time, or that neither is.
-        if roles
-            .iter()
-            .filter(|role| matches!(role, Role::Time(_)))
-            .count()
-            > 1
-        {
+        let are_times = roles.iter().filter(|role| matches!(role, Role::Time(_)));
+        if are_times.count() > 1 {
             return;
         }
         for (index, (role, cells)) in roles.iter_mut().zip(cells).enumerate() {
@@ -99,9 +97,8 @@ impl ReadContext<'_> {
             let heading = headings.get(index).map_or("", String::as_str);
             if unit.is_none() {
                 let kinds = kinds[index];
-                if kinds.clocks && (kinds.numbers || kinds.two_parts)
-                    || kinds.numbers && kinds.two_parts
-                {
+                let forms = [kinds.numbers, kinds.clocks, kinds.two_parts];
+                if forms.into_iter().filter(|is| *is).count() > 1 {
                     self.refuse_times(heading, text!("times in several forms"));
                     continue;
                 }
@@ -116,7 +113,7 @@ impl ReadContext<'_> {
                 }
             }
             let span = extent(values);
-            let earliest = values.iter().copied().fold(f64::INFINITY, f64::min);
+            let [earliest, _] = numeric::extent(&*values);
             if earliest > SINCE_1970_S[1] {
                 let found = text!("times that begin at {first}", first = duration(earliest));
                 self.refuse_times(heading, found);
@@ -130,10 +127,7 @@ impl ReadContext<'_> {
     }
 
     fn refuse_times(&mut self, heading: &str, found: Text) {
-        let place = match heading {
-            "" => self.place.clone(),
-            heading => self.place.clone().in_field(heading),
-        };
+        let place = below(self.place.clone(), heading);
         let expected = text!(
             "between a second and a year in one form: the right unit in the heading, in --columns (time_ms) or as --time-unit; --columns with - leaves the column out"
         );
@@ -237,15 +231,10 @@ impl ReadContext<'_> {
     }
 }
 
-/// Largest less smallest value.
+/// Largest less smallest value; of none nothing.
 pub(crate) fn extent(values: &[f64]) -> f64 {
-    let smallest = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    if largest > smallest {
-        largest - smallest
-    } else {
-        0.0
-    }
+    let [smallest, largest] = numeric::extent(values);
+    (largest - smallest).max(0.0)
 }
 
 fn is_possible(span_s: f64) -> bool {

@@ -1,5 +1,6 @@
 //! The parts of an orientation in three angles or a rotation vector, and the words for them.
 
+use crate::importers::columns::axis_of;
 use crate::sessions::columns::Unit;
 
 /// Which of the three numbers of an orientation a column holds.
@@ -11,11 +12,23 @@ pub(crate) enum Turn {
     Nth(usize),
 }
 
+/// The words of `--columns` for them, about x, y, z and then in order.
+const NAMES: [&str; 6] = ["rx", "ry", "rz", "euler1", "euler2", "euler3"];
+
 impl Turn {
     pub(super) fn place(self) -> usize {
         match self {
             Self::About(at) | Self::Nth(at) => at,
         }
+    }
+
+    /// The one that a word of `--columns` names.
+    pub(super) fn named(name: &str) -> Option<Self> {
+        let at = NAMES.iter().position(|own| *own == name)?;
+        Some(match at {
+            0..3 => Self::About(at),
+            _ => Self::Nth(at - 3),
+        })
     }
 }
 
@@ -35,10 +48,6 @@ pub(crate) fn turn(words: &[&str]) -> Option<Turn> {
     Some(Turn::About(about))
 }
 
-fn axis_of(word: &str) -> Option<usize> {
-    ["x", "y", "z"].iter().position(|axis| *axis == word)
-}
-
 fn nth(word: &str) -> Option<Turn> {
     let at = ["1", "2", "3"].iter().position(|n| *n == word)?;
     Some(Turn::Nth(at))
@@ -47,14 +56,11 @@ fn nth(word: &str) -> Option<Turn> {
 /// The word of `--columns` for one.
 pub(crate) fn word(turn: Turn, unit: Option<Unit>) -> String {
     let name = match turn {
-        Turn::About(axis) => ["rx", "ry", "rz"][axis].to_owned(),
-        Turn::Nth(at) => format!("euler{}", at + 1),
+        Turn::About(at) => NAMES[at],
+        Turn::Nth(at) => NAMES[at + 3],
     };
-    match unit {
-        Some(Unit::Angle(1.0)) => format!("{name}_rad"),
-        Some(Unit::Angle(factor)) if (factor - 1.0_f64.to_radians()).abs() < 1e-15 => {
-            format!("{name}_deg")
-        }
-        _ => name,
+    match unit.and_then(Unit::suffix) {
+        Some(unit) => format!("{name}_{unit}"),
+        None => name.to_owned(),
     }
 }

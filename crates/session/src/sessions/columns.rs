@@ -197,7 +197,7 @@ impl Quantity {
     }
 
     /// The joint that it belongs to.
-    pub(super) fn joint(self) -> Option<usize> {
+    pub(crate) fn joint(self) -> Option<usize> {
         match self {
             Self::Commanded(joint)
             | Self::ReadBack(joint)
@@ -258,6 +258,14 @@ pub enum Unit {
 }
 
 impl Unit {
+    /// The inner unit of a joint's values.
+    pub(crate) fn inner(kind: JointKind) -> Self {
+        match kind {
+            JointKind::Revolute => Self::Angle(1.0),
+            JointKind::Prismatic => Self::Length(1.0),
+        }
+    }
+
     /// The units that headings end in.
     fn all() -> [(&'static str, Self); 6] {
         [
@@ -270,7 +278,7 @@ impl Unit {
         ]
     }
 
-    fn from_suffix(suffix: &str) -> Option<Self> {
+    pub(crate) fn from_suffix(suffix: &str) -> Option<Self> {
         let found = Self::all().into_iter().find(|(own, _)| *own == suffix);
         found.map(|(_, unit)| unit)
     }

@@ -32,9 +32,7 @@ impl Decimal {
             Self::Comma => b'.',
         }
     }
-}
 
-impl Decimal {
     /// What it is called.
     pub fn name(self) -> Template {
         match self {
@@ -155,6 +153,16 @@ pub(crate) fn value(cell: &str, decimal: Decimal) -> Result<f64, NotANumber> {
         Some(plain) => value_of(&plain, decimal),
         None => Err(why),
     })
+}
+
+/// The number in a cell that is looked at alone: a comma is its decimal sign. NaN of what is none.
+pub(crate) fn value_alone(cell: &str) -> f64 {
+    let decimal = if cell.contains(',') {
+        Decimal::Comma
+    } else {
+        Decimal::Point
+    };
+    value(cell, decimal).unwrap_or(f64::NAN)
 }
 
 fn value_of(cell: &str, decimal: Decimal) -> Result<f64, NotANumber> {

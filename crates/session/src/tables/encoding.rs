@@ -6,38 +6,29 @@
 
 use crate::text::{Template, Text};
 use std::borrow::Cow;
-use std::fmt;
 
 use encoding_rs::{Encoding as Decoder, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
 use crate::diagnostic::{Diagnostic, Place};
 
-/// How a file's characters are stored.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Encoding {
-    /// UTF-8, with or without a byte order mark.
-    #[default]
-    Utf8,
-    /// UTF-16, low byte first.
-    Utf16Le,
-    /// UTF-16, high byte first.
-    Utf16Be,
-    /// What is not valid as anything else.
-    Windows1252,
-    /// No text.
-    Binary,
-}
-
-impl fmt::Display for Encoding {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Utf8 => "UTF-8",
-            Self::Utf16Le => "UTF-16 LE",
-            Self::Utf16Be => "UTF-16 BE",
-            Self::Windows1252 => "Windows-1252",
-            Self::Binary => "binary",
-        })
+named! {
+    /// How a file's characters are stored.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+    pub enum Encoding {
+        /// UTF-8, with or without a byte order mark.
+        #[default]
+        Utf8 = "UTF-8",
+        /// UTF-16, low byte first.
+        Utf16Le = "UTF-16 LE",
+        /// UTF-16, high byte first.
+        Utf16Be = "UTF-16 BE",
+        /// What is not valid as anything else.
+        Windows1252 = "Windows-1252",
+        /// No text.
+        Binary = "binary",
     }
+    /// What it is called.
+    pub fn name;
 }
 
 /// What a byte order mark says.
@@ -97,7 +88,7 @@ pub(crate) fn decode<'a>(
                 } else {
                     let found = text!(
                         "no byte order mark, read as {encoding}",
-                        encoding = encoding.to_string()
+                        encoding = encoding.name()
                     );
                     findings.push(Diagnostic::note(file.clone(), found));
                     (utf_16(bytes, decoder, file)?, encoding)

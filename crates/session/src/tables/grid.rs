@@ -211,6 +211,11 @@ impl<'a> Grid<'a> {
         })
     }
 
+    /// Its headings; none without a header.
+    pub(crate) fn headings(&self) -> &[String] {
+        self.header.as_ref().map_or(&[], |(_, names)| names)
+    }
+
     /// Going through all rows is told as a pass of this part of the work.
     pub(crate) fn watched(self, part: ProgressSpan<'a>) -> Self {
         let part = Some(part);
@@ -260,13 +265,7 @@ impl<'a> Grid<'a> {
 
     /// The first rows as they stand.
     pub(crate) fn first_rows(&self, count: usize) -> Vec<Vec<String>> {
-        let mut rows = self.body.clone();
-        let mut row = TextRow::default();
-        let mut first = Vec::new();
-        while first.len() < count && rows.next(&mut row) == Ok(true) {
-            first.push(row.owned());
-        }
-        first
+        self.body.first(count)
     }
 
     /// What the cells of the number columns say about the decimal sign.

@@ -253,6 +253,17 @@ impl<'a> TextRows<'a> {
         Ok(is_there)
     }
 
+    /// The next rows as they stand.
+    pub(crate) fn first(&self, count: usize) -> Vec<Vec<String>> {
+        let mut rows = self.clone();
+        let mut row = TextRow::default();
+        let mut first = Vec::new();
+        while first.len() < count && rows.next(&mut row) == Ok(true) {
+            first.push(row.owned());
+        }
+        first
+    }
+
     /// The last comments that were passed over, with their lines and without their signs.
     pub(crate) fn comments(&self) -> Vec<(u64, &'a str)> {
         let comments = self.rows.comments.iter();

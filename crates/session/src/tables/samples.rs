@@ -50,21 +50,15 @@ impl<'a> SampleTable<'a> {
         file: &Place,
         findings: &mut Vec<Diagnostic>,
     ) -> Option<Self> {
-        let first = file.clone().at_line(1);
-        let refused = match Self::headed(bytes) {
-            Ok(table) => return Some(table),
-            Err((0, found, expected)) => Diagnostic::error(first, found, expected),
-            Err((column, found, expected)) => {
-                Diagnostic::error(first.at_column(column as u64), found, expected)
-            }
-        };
-        findings.push(refused);
-        None
+        let table = Self::headed(bytes, &file.clone().at_line(1));
+        table.map_err(|wrong| findings.push(*wrong)).ok()
     }
 
-    /// The same; what is wrong is in the column of this number, or in none (0).
-    fn headed(bytes: &'a [u8]) -> Result<Self, (usize, Text, Text)> {
-        let wrong = |found: Text, expected: Template| Err((0, found, expected.into()));
+    fn headed(bytes: &'a [u8], first: &Place) -> Result<Self, Box<Diagnostic>> {
+        let wrong_at = |place: Place, found: Text, expected: Template| {
+            Err(Box::new(Diagnostic::error(place, found, expected)))
+        };
+        let wrong = |found, expected| wrong_at(first.clone(), found, expected);
         let at = match mark(bytes) {
             Some((Mark::Utf8, length)) => length,
             None => 0,
@@ -98,11 +92,10 @@ impl<'a> SampleTable<'a> {
         let mut row = Row::default();
         let open = rows.next(&mut row).is_err();
         if row.cells.len() > MOST_COLUMNS {
-            return Err((
-                0,
-                text!(one "{count} column", "{count} columns", count = row.cells.len()),
-                text!("a table of at most {most} columns", most = MOST_COLUMNS),
-            ));
+            let found = text!(one "{count} column", "{count} columns", count = row.cells.len());
+            let expected = text!("a table of at most {most} columns", most = MOST_COLUMNS);
+            let wrong = Diagnostic::error(first.clone(), found, expected);
+            return Err(Box::new(wrong));
         }
         let mut names = Vec::new();
         for (cell, number) in row.cells.iter().zip(1..) {
@@ -110,14 +103,18 @@ impl<'a> SampleTable<'a> {
                 Ok(text) if !text.trim().contains('\n') => names.push(text.trim().to_owned()),
                 Ok(text) => {
                     let found = Text::verbatim(quoted(&text));
-                    return Err((number, found, text!("a heading on one line")));
+                    let place = first.clone().at_column(number);
+                    return wrong_at(place, found, phrase!("a heading on one line"));
                 }
-                Err((found, expected)) => return Err((number, found, expected.into())),
+                Err((found, expected)) => {
+                    return wrong_at(first.clone().at_column(number), found, expected);
+                }
             }
         }
         if open {
             let (found, expected) = not_closed();
-            return Err((names.len() + 1, found, expected.into()));
+            let place = first.clone().at_column(names.len() as u64 + 1);
+            return wrong_at(place, found, expected);
         }
         match wrong_dialect(&names) {
             Some((found, expected)) => wrong(found, expected),

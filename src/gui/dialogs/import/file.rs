@@ -35,7 +35,7 @@ pub(super) fn found_out(now: &ImportDraft) -> String {
         Some(line) => say!("header in line {line}", line),
         None => say!("no header").to_owned(),
     });
-    parts.push(found.encoding.to_string());
+    parts.push(found.encoding.name().to_owned());
     if !found.unit.is_empty() {
         parts.push(say!("unit: {found}", found = spoken(&found.unit)));
     }

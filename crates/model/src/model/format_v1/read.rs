@@ -280,7 +280,7 @@ fn region(o: &mut Object<'_, '_>, own: &mut RegionalCorrection) {
     }
     let (from, to) = (own.from_rad, own.to_rad);
     if o.has_read_well() && from >= to {
-        let expected = text!("a region from the smaller to the larger value");
+        let expected = text!("a range from the smaller to the larger value");
         let found = text!("a region from {from} to {to} rad", from, to);
         o.error(found, expected);
     }

@@ -5,7 +5,6 @@
 //! that length (`--nominal-length`). Where the anchors are, and whether the instrument shows true
 //! distances, the session declares: [`crate::importers::declared`].
 
-use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::declared::{ANCHOR, ANCHOR_OFFSET};
 use crate::importers::formats::{Importer, KnownBy, OwnOption, Questions};
@@ -49,10 +48,7 @@ pub(crate) static IMPORTER: Importer = Importer {
             values: &[],
         },
     ],
-    known_by: KnownBy::Reading {
-        turn: 4,
-        suits: |trial| trial.is_sound && trial.headings.is_some(),
-    },
+    known_by: KnownBy::headed(4),
     read,
 };
 
@@ -64,7 +60,7 @@ const DEVIATION: Words = "deviation abweichung extension";
 /// Reads the distances.
 fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = context.grid()?;
-    let names = grid.header.as_ref().map_or(&[][..], |header| &header.1);
+    let names = grid.headings();
     let mut found: Vec<(Role, bool)> = names.iter().map(|name| role(name)).collect();
     found.resize(grid.width, (Role::Kept, false));
     let mut roles: Vec<Role> = found.iter().map(|(role, _)| *role).collect();
@@ -98,29 +94,17 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
 
 /// The length to add to every reading, mm. `None`: it is asked, or wrong.
 fn nominal_length(context: &mut ReadContext<'_>, is_deviation: bool) -> Option<f64> {
-    match context.reading.options.get(NOMINAL_LENGTH) {
-        Some(said) => {
-            let value = said
-                .trim()
-                .parse()
-                .ok()
-                .filter(|value: &f64| value.is_finite());
-            if value.is_none() {
-                let found = text!(
-                    "--{option}: {found}",
-                    option = NOMINAL_LENGTH,
-                    found = quoted(said)
-                );
-                context.refuse(found, text!("a length in mm"));
-            }
-            value
-        }
-        None if is_deviation => {
+    match context.reading.length_mm(NOMINAL_LENGTH) {
+        Ok(None) if is_deviation => {
             let says = text!("the readings are deviations from a length that is not stated");
             context.ask(About::Own(NOMINAL_LENGTH), says, &[]);
             None
         }
-        None => Some(0.0),
+        Ok(said) => said.or(Some(0.0)),
+        Err((found, expected)) => {
+            context.refuse(found, expected);
+            None
+        }
     }
 }
 

@@ -17,7 +17,7 @@
 use crate::text::Text;
 use nalgebra::{Isometry3, Point3, Quaternion, UnitQuaternion};
 
-use crate::importers::columns::{Column, Columns};
+use crate::importers::columns::{COORDINATES, Column, Columns};
 use crate::importers::formats::{Importer, KnownBy, OwnOption, Questions};
 use crate::importers::headings::{understand, words_and_unit};
 use crate::importers::reader::fixed;
@@ -41,61 +41,45 @@ pub(crate) static IMPORTER: Importer = Importer {
         ),
         values: &["fixed", "on-tool"],
     }],
-    known_by: KnownBy::Reading {
-        turn: 1,
-        suits: |trial| trial.is_sound && trial.headings.is_some(),
-    },
+    known_by: KnownBy::headed(1),
     read,
 };
 
-/// A column of the table, before it is a session's.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum BoardColumn {
-    /// Component of the rotation vector.
-    Turn(usize),
-    /// Component of the translation, in this unit if its heading says one.
-    Shift(usize, Option<Unit>),
-    Other(Role),
-}
+/// The components of the rotation vector: they become a quaternion once they are read.
+const TURN: [Quantity; 3] = [
+    Quantity::Orientation(1),
+    Quantity::Orientation(2),
+    Quantity::Orientation(3),
+];
 
 /// Reads the poses.
 fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let grid = context.grid()?;
-    let names = grid.header.as_ref().map_or(&[][..], |header| &header.1);
-    let mut parts: Vec<BoardColumn> = names.iter().map(|name| part(name)).collect();
-    parts.resize(grid.width, BoardColumn::Other(Role::Kept));
-    let has = |wanted: &dyn Fn(&BoardColumn) -> bool| {
-        parts.iter().filter(|part| wanted(part)).count() == 3
+    let names = grid.headings();
+    let mut parts: Vec<(Role, bool)> = names.iter().map(|name| part(name)).collect();
+    parts.resize(grid.width, (Role::Kept, false));
+    let of_board = |wanted: Quantity| {
+        let is = |(role, own): &&(Role, bool)| *own && role.quantity() == Some(wanted);
+        parts.iter().filter(is).count()
     };
-    let is_turned = has(&|part| matches!(part, BoardColumn::Turn(_)));
-    let is_shifted = has(&|part| matches!(part, BoardColumn::Shift(..)));
-    let orientations = (0..4).filter(|&at| {
+    let is_turned = TURN.map(of_board).iter().sum::<usize>() == 3;
+    let is_shifted = COORDINATES.map(of_board).iter().sum::<usize>() == 3;
+    let by_quaternion = (0..4).all(|at| {
         let quantity = Some(Quantity::Orientation(at));
-        parts
-            .iter()
-            .any(|part| matches!(part, BoardColumn::Other(role) if role.quantity() == quantity))
+        let mut parts = parts.iter();
+        parts.any(|(role, own)| !own && role.quantity() == quantity)
     });
-    let by_quaternion = orientations.count() == 4;
     if !is_shifted || is_turned == by_quaternion {
         context.ask_for(&grid, "tvec_x, tvec_y, tvec_z, rvec_x, rvec_y, rvec_z");
         return None;
     }
-    let roles = parts.iter().map(|part| match part {
-        // Three numbers: they become a quaternion once they are read.
-        BoardColumn::Turn(at) => fixed(Quantity::Orientation(at + 1), Unit::Fixed),
-        BoardColumn::Shift(at, unit) => {
-            Role::Known([Quantity::X, Quantity::Y, Quantity::Z][*at], *unit)
+    let columns = context.columns(&grid, parts.iter().map(|part| part.0).collect());
+    let own = context.found.columns.iter_mut().zip(&parts);
+    for (guess, (role, _)) in own.filter(|(_, (_, own))| *own) {
+        if let Some(Quantity::Orientation(part)) = role.quantity() {
+            guess.meaning = format!("rvec_{}", ["x", "y", "z"][part - 1]);
         }
-        BoardColumn::Other(role) => *role,
-    });
-    let columns = context.columns(&grid, roles.collect());
-    for (guess, part) in context.found.columns.iter_mut().zip(&parts) {
-        if let BoardColumn::Turn(at) = part {
-            guess.meaning = format!("rvec_{}", ["x", "y", "z"][*at]);
-        }
-        if !matches!(part, BoardColumn::Other(_)) {
-            guess.confidence = Known::Certain;
-        }
+        guess.confidence = Known::Certain;
     }
     let Some(camera) = context.reading.options.get(CAMERA).cloned() else {
         let says = text!(
@@ -109,8 +93,8 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     Some(columns)
 }
 
-/// What a heading says.
-fn part(heading: &str) -> BoardColumn {
+/// What a heading says, and whether that is a component of the board's rotation vector or translation.
+fn part(heading: &str) -> (Role, bool) {
     let plain = heading.trim().trim_matches('"').to_lowercase();
     let (words, unit) = words_and_unit(&plain);
     let joined = words.concat();
@@ -124,24 +108,28 @@ fn part(heading: &str) -> BoardColumn {
     };
     if let Some(at) = axis(["rvec", "rotationvector", "r"]) {
         return match unit {
-            None | Some(Word::Unit(Unit::Angle(1.0))) => BoardColumn::Turn(at),
+            None | Some(Word::Unit(Unit::Angle(1.0))) => (fixed(TURN[at], Unit::Fixed), true),
             // OpenCV writes radians: anything else is not understood.
-            Some(_) => BoardColumn::Other(Role::Kept),
+            Some(_) => (Role::Kept, false),
         };
     }
     if let Some(at) = axis(["tvec", "translation", "t"]) {
         return match unit {
-            None => BoardColumn::Shift(at, None),
-            Some(Word::Unit(unit @ Unit::Length(_))) => BoardColumn::Shift(at, Some(unit)),
-            Some(_) => BoardColumn::Other(Role::Kept),
+            None => (Role::Known(COORDINATES[at], None), true),
+            Some(Word::Unit(unit @ Unit::Length(_))) => (fixed(COORDINATES[at], unit), true),
+            Some(_) => (Role::Kept, false),
         };
     }
-    match (words.first().map(String::as_str), words.len()) {
-        (Some("image" | "filename" | "file" | "frame" | "view"), 1) => {
-            BoardColumn::Other(Role::Point)
-        }
-        _ => BoardColumn::Other(understand(heading)),
-    }
+    let is_image = matches!(
+        joined.as_str(),
+        "image" | "filename" | "file" | "frame" | "view"
+    );
+    let role = if is_image && words.len() == 1 {
+        Role::Point
+    } else {
+        understand(heading)
+    };
+    (role, false)
 }
 
 /// Makes poses of the tool of what was seen.
@@ -230,28 +218,22 @@ mod tests {
 
     #[test]
     fn headings_are_understood_as_people_write_them() {
-        let metre = Some(Unit::Length(1000.0));
+        let turn = |at: usize| (fixed(TURN[at], Unit::Fixed), true);
         for (heading, meant) in [
-            ("rvec_x", BoardColumn::Turn(0)),
-            ("rvec[2]", BoardColumn::Turn(2)),
-            ("rvec1", BoardColumn::Turn(1)),
-            ("rx", BoardColumn::Turn(0)),
-            ("rvec_y [rad]", BoardColumn::Turn(1)),
-            ("tvec_z_m", BoardColumn::Shift(2, metre)),
-            (
-                "tvec_x [mm]",
-                BoardColumn::Shift(0, Some(Unit::Length(1.0))),
-            ),
-            ("tz", BoardColumn::Shift(2, None)),
-            ("image", BoardColumn::Other(Role::Point)),
-            ("rvec_x [deg]", BoardColumn::Other(Role::Kept)),
-            ("rms", BoardColumn::Other(Role::Kept)),
+            ("rvec_x", turn(0)),
+            ("rvec[2]", turn(2)),
+            ("rvec1", turn(1)),
+            ("rx", turn(0)),
+            ("rvec_y [rad]", turn(1)),
+            ("tvec_z_m", (fixed(Quantity::Z, Unit::Length(1000.0)), true)),
+            ("tvec_x [mm]", (fixed(Quantity::X, Unit::Length(1.0)), true)),
+            ("tz", (Role::Known(Quantity::Z, None), true)),
+            ("image", (Role::Point, false)),
+            ("rvec_x [deg]", (Role::Kept, false)),
+            ("rms", (Role::Kept, false)),
+            ("qw", (fixed(Quantity::Orientation(0), Unit::Fixed), false)),
         ] {
             assert_eq!(part(heading), meant, "{heading}");
         }
-        assert_eq!(
-            part("qw"),
-            BoardColumn::Other(fixed(Quantity::Orientation(0), Unit::Fixed))
-        );
     }
 }

@@ -1,16 +1,17 @@
 //! Any table: what its columns are is said by its header, or by the person.
 
 use crate::document::number::quoted;
-use crate::importers::columns::Columns;
-use crate::importers::families::{self, Families};
+use crate::importers::columns::{COORDINATES, Columns};
+use crate::importers::families;
 use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
 use crate::importers::headings::understand;
-use crate::importers::matching::listed_names_up_to;
+use crate::importers::matching::listed_names;
+use crate::importers::reader::SHOWN_HEADINGS;
 use crate::importers::options::{PLANE_OPTION, SOCKET_DISTANCES_OPTION, SOCKET_OPTION};
-use crate::importers::role::Role;
+use crate::importers::role::{Proposal, Role, has};
 use crate::importers::settings::{About, ReadContext};
 use crate::sessions::columns::{Heading, Quantity};
-use crate::tables::decimals::{Decimal, shape, value};
+use crate::tables::decimals::{shape, value_alone};
 use crate::tables::{Grid, Separator};
 
 pub(crate) static IMPORTER: Importer = Importer {
@@ -23,15 +24,9 @@ pub(crate) static IMPORTER: Importer = Importer {
         PLANE_OPTION,
         SOCKET_DISTANCES_OPTION,
     ],
-    known_by: KnownBy::Reading {
-        turn: 2,
-        suits: |trial| trial.is_sound && trial.headings.is_some(),
-    },
+    known_by: KnownBy::headed(2),
     read,
 };
-
-/// Headings that a message lists.
-const SHOWN: usize = 12;
 
 /// Reads a table of measured points.
 fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
@@ -73,30 +68,21 @@ fn table<'a>(context: &mut ReadContext<'a>, measured: bool) -> Option<(Grid<'a>,
                 }
                 let names = &names[..names.len().min(roles.len())];
                 match families::proposed(names, &roles) {
-                    Families::None => {
-                        if let Some(proposed) = families::lone_coordinate(names, &roles) {
-                            propose(context, names, &roles, &proposed);
-                            roles = proposed;
-                        }
-                    }
-                    Families::One(proposed) => {
+                    Proposal::None => {}
+                    Proposal::One(proposed) => {
                         propose(context, names, &roles, &proposed);
                         roles = proposed;
                     }
-                    Families::Several(groups) => {
+                    Proposal::Several(groups) => {
                         let says = text!(
                             "{count} groups of x, y, z: {groups}; one of them is what was measured, or a row holds several points: then one point a row is expected, with its name in a column target",
                             count = groups.len(),
-                            groups = listed_names_up_to(&groups, SHOWN)
+                            groups = listed_names(&groups, SHOWN_HEADINGS)
                         );
                         context.ask(About::Columns, says, &[]);
                     }
                 }
-                if !roles
-                    .iter()
-                    .any(|role| role.quantity() == Some(Quantity::X))
-                    && is_matrix(context, &grid)
-                {
+                if !has(&roles, Quantity::X) && is_matrix(context, &grid) {
                     refuse_matrix(context, &grid);
                 }
             }
@@ -179,14 +165,7 @@ fn is_matrix(context: &ReadContext<'_>, grid: &Grid<'_>) -> bool {
         let numbers = row
             .iter()
             .skip(grid.width.saturating_sub(cells))
-            .map(|cell| {
-                let decimal = if cell.contains(',') {
-                    Decimal::Comma
-                } else {
-                    Decimal::Point
-                };
-                value(cell, decimal).unwrap_or(f64::NAN)
-            });
+            .map(|cell| value_alone(cell));
         let m: Vec<f64> = numbers.collect();
         let product = |a: usize, b: usize| (0..3).map(|k| m[4 * a + k] * m[4 * b + k]).sum::<f64>();
         let unit = |a: usize, b: usize| (product(a, b) - f64::from(u8::from(a == b))).abs() < 0.01;
@@ -199,12 +178,7 @@ fn is_matrix(context: &ReadContext<'_>, grid: &Grid<'_>) -> bool {
 /// A session's own columns of measurements other than points are such columns where the table has no
 /// points: beside points, a distance or the name of a plane may be anything.
 fn own_references(names: &[String], roles: &mut [Role]) {
-    let has = |wanted| {
-        roles
-            .iter()
-            .any(|role: &Role| role.quantity() == Some(wanted))
-    };
-    if has(Quantity::X) || has(Quantity::Y) || has(Quantity::Z) {
+    if COORDINATES.into_iter().any(|axis| has(roles, axis)) {
         return;
     }
     for (role, name) in roles.iter_mut().zip(names) {

@@ -9,18 +9,21 @@ use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{COORDINATES, Column, Columns};
 use crate::importers::formats::{Importer, KnownBy, Meanings, Questions};
-use crate::importers::matching::listed_names_up_to;
-use crate::importers::reader::{CellReader, fixed};
+use crate::importers::matching::listed_names;
+use crate::importers::reader::{CellReader, SHOWN_HEADINGS, SHOWN_ROWS, fixed};
 use crate::importers::role::Role;
-use crate::importers::settings::{About, ColumnGuess, ReadContext};
+use crate::importers::settings::{About, ColumnGuess, ReadContext, wrong_value};
 use crate::importers::units::{self, LengthUnit, Word};
 use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::layout::no_column;
 use crate::tables::decimals::{Decimal, Decision, Votes};
 use crate::tables::{Cells, Names};
 use crate::tables::{Complaints, MOST_COLUMNS, open_quote};
 use crate::tables::{Dialect, Separator, TextRow, TextRows};
 use crate::text::{Template, Text};
 
+/// Cells of a row that are kept to be shown.
+const SHOWN_CELLS: usize = 32;
 /// Lines between the first one and that of the frames.
 const MOST_HEADER_LINES: usize = 16;
 
@@ -36,7 +39,7 @@ pub(crate) static IMPORTER: Importer = Importer {
         columns: Meanings::Fixed,
         y_up: true,
         names: true,
-        joint: false,
+        ..Questions::TABLE
     },
     options: &[],
     known_by: KnownBy::Text(is_likely),
@@ -73,7 +76,11 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     context.found.header_line = Some(frame_line);
     let unit = unit(context, &keys);
     let chosen = choose(context, &tracked);
-    context.found.first_rows = first_rows(&rows);
+    let mut first_rows = rows.first(SHOWN_ROWS);
+    for row in &mut first_rows {
+        row.truncate(SHOWN_CELLS);
+    }
+    context.found.first_rows = first_rows;
     let mut votes = Votes::default();
     for (row, line) in context.found.first_rows.iter().zip(frame_line + 1..) {
         for (column, cell) in row.iter().enumerate() {
@@ -100,11 +107,8 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         return None;
     };
     let columns = frames(context, rows, &chosen, with_orientation, unit);
-    if context.found.rows == 0 && !context.is_open() {
-        context.refuse(text!("no sample"), text!("at least one"));
-    }
     context.found.columns = ColumnGuess::certain(&columns).collect();
-    (!context.is_open()).then_some(columns)
+    context.has_samples().then_some(columns)
 }
 
 fn key_line(
@@ -112,25 +116,13 @@ fn key_line(
     rows: &mut TextRows<'_>,
 ) -> Option<Vec<(String, String)>> {
     let mut row = TextRow::default();
-    match rows.next(&mut row) {
-        Ok(true) if is_likely(&row.cells[0]) => {}
-        Ok(_) => {
-            let place = context.place.clone().at_line(row.line.max(1));
-            let found = row.cells.first().map_or("", |cell| cell.as_ref());
-            context.found.findings.push(Diagnostic::error(
-                place,
-                Text::verbatim(quoted(found)),
-                EXPORT,
-            ));
-            return None;
-        }
-        Err(quote) => {
-            context
-                .found
-                .findings
-                .push(open_quote(&context.place, quote));
-            return None;
-        }
+    if !(next(context, rows, &mut row)? && is_likely(&row.cells[0])) {
+        let place = context.place.clone().at_line(row.line.max(1));
+        let found = row.cells.first().map_or("", |cell| cell.as_ref());
+        let found = Text::verbatim(quoted(found));
+        let wrong = Diagnostic::error(place, found, EXPORT);
+        context.found.findings.push(wrong);
+        return None;
     }
     let pairs = row.cells.chunks(2).map(|pair| {
         let value = pair.get(1).map_or("", |value| value.as_ref());
@@ -142,6 +134,20 @@ fn key_line(
         .map(|(key, value)| format!("{key}: {value}"))
         .collect();
     Some(pairs)
+}
+
+/// Reads the next row; `None`, and said, where a quote is open.
+fn next<'t>(
+    context: &mut ReadContext<'_>,
+    rows: &mut TextRows<'t>,
+    row: &mut TextRow<'t>,
+) -> Option<bool> {
+    let read = rows.next(row);
+    read.map_err(|quote| {
+        let wrong = open_quote(&context.place, quote);
+        context.found.findings.push(wrong);
+    })
+    .ok()
 }
 
 fn value_of<'k>(keys: &'k [(String, String)], key: &str) -> Option<&'k str> {
@@ -201,23 +207,15 @@ fn header(context: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<(Vec
     let mut lines: Vec<Vec<String>> = Vec::new();
     let mut row = TextRow::default();
     let frame_line = loop {
-        match rows.next(&mut row) {
-            Ok(true) if row.cells[0].eq_ignore_ascii_case("frame") => break row.line,
-            Ok(true) if lines.len() < MOST_HEADER_LINES => {
-                lines.push(row.owned());
-            }
-            Err(quote) => {
-                context
-                    .found
-                    .findings
-                    .push(open_quote(&context.place, quote));
-                return None;
-            }
-            Ok(_) => {
-                context.refuse(text!("no line that starts with Frame"), EXPORT);
-                return None;
-            }
+        let is_there = next(context, rows, &mut row)?;
+        if is_there && row.cells[0].eq_ignore_ascii_case("frame") {
+            break row.line;
         }
+        if !is_there || lines.len() == MOST_HEADER_LINES {
+            context.refuse(text!("no line that starts with Frame"), EXPORT);
+            return None;
+        }
+        lines.push(row.owned());
     };
     let axes: Vec<String> = row.cells.iter().map(|cell| cell.to_lowercase()).collect();
     if axes.len() > 64 * MOST_COLUMNS {
@@ -289,18 +287,13 @@ fn choose(context: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Trac
     if !context.reading.names.is_empty() {
         let mut chosen = Vec::new();
         for name in &context.reading.names {
-            let mut called = tracked.iter().filter(|thing| thing.name == *name);
+            let called = || tracked.iter().filter(|thing| thing.name == *name);
             // A body and its own marker may be called alike.
-            let body = tracked
-                .iter()
-                .filter(is_body)
-                .find(|thing| thing.name == *name);
-            if let Some(thing) = body.or_else(|| called.next()) {
+            if let Some(thing) = called().find(is_body).or_else(|| called().next()) {
                 chosen.push(thing.clone());
             } else {
-                let found = text!("--{option}: {found}", option = "name", found = quoted(name));
                 let expected = text!("one of {names}", names = listed(&names));
-                context.refuse(found, expected);
+                context.refuse(wrong_value("name", name), expected);
             }
         }
         return (chosen.len() == context.reading.names.len()).then_some(chosen);
@@ -310,7 +303,7 @@ fn choose(context: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Trac
         ([body], _) => Some(vec![(*body).clone()]),
         ([], [only]) => Some(vec![only.clone()]),
         (_, []) => {
-            context.refuse(text!("no column of positions"), EXPORT);
+            context.refuse(no_column("Position"), EXPORT);
             None
         }
         _ => {
@@ -326,22 +319,7 @@ fn choose(context: &mut ReadContext<'_>, tracked: &[Tracked]) -> Option<Vec<Trac
 }
 
 fn listed(names: &[&str]) -> Text {
-    const SHOWN: usize = 12;
-    let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
-    listed_names_up_to(&names, SHOWN)
-}
-
-fn first_rows(rows: &TextRows<'_>) -> Vec<Vec<String>> {
-    const ROWS: usize = 8;
-    const CELLS: usize = 32;
-    let mut rows = rows.clone();
-    let mut row = TextRow::default();
-    let mut first = Vec::new();
-    while first.len() < ROWS && rows.next(&mut row) == Ok(true) {
-        let cells = row.cells.iter().take(CELLS).map(ToString::to_string);
-        first.push(cells.collect());
-    }
-    first
+    listed_names(names.iter().map(|name| quoted(name)), SHOWN_HEADINGS)
 }
 
 /// A row for each frame and each thing.

@@ -4,10 +4,10 @@
 //! Names come first. A first column of whole numbers before columns with fractions holds names too
 //! (points are often numbered). Where the columns do not tell, the person does.
 
-use crate::importers::columns::Columns;
+use crate::importers::columns::{COORDINATES, Columns};
 use crate::importers::formats::{EULER_OPTION, Importer, KnownBy, Questions};
 use crate::importers::headings::{Words, is_among};
-use crate::importers::role::Role;
+use crate::importers::role::{Role, has};
 use crate::importers::settings::ReadContext;
 use crate::sessions::columns::Quantity;
 use crate::tables::decimals::{Shape, shape};
@@ -89,8 +89,7 @@ fn roles_by_header(grid: &Grid<'_>, context: &mut ReadContext<'_>) -> Option<Vec
         return None;
     }
     let roles = context.roles_of(grid, names);
-    let has = |wanted| roles.iter().any(|role| role.quantity() == Some(wanted));
-    (has(Quantity::X) && has(Quantity::Y)).then_some(roles)
+    (has(&roles, Quantity::X) && has(&roles, Quantity::Y)).then_some(roles)
 }
 
 /// What the columns are over the whole file.
@@ -149,13 +148,12 @@ fn names_before(kinds: &[Kind]) -> Option<usize> {
 }
 
 fn roles(names: usize, width: usize) -> Vec<Role> {
-    let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
     (0..width)
         .map(|index| match index {
             index if index + 1 == names => Role::Point,
             index if index + 2 == names => Role::Group,
             index if index < names => Role::Kept,
-            index => match coordinates.get(index - names) {
+            index => match COORDINATES.get(index - names) {
                 Some(quantity) => Role::Known(*quantity, None),
                 None => Role::Kept,
             },

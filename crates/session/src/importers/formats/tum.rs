@@ -48,14 +48,10 @@ fn as_headed(context: &mut ReadContext<'_>, grid: &Grid<'_>, own: Vec<Role>) -> 
             let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
             words.contains(&"wxyz") || words.windows(4).any(|four| four == ["w", "x", "y", "z"])
         };
-        let Some(comment) = grid.comments.iter().find(real_first) else {
-            return Some(own);
+        return match grid.comments.iter().find(real_first) {
+            None => Some(own),
+            Some(comment) => refuse_heading(context, comment),
         };
-        context.refuse(
-            text!("the heading {heading}", heading = quoted(comment)),
-            COLUMNS,
-        );
-        return None;
     };
     let mut said = context.roles_of(grid, names);
     let same = |one: &Role, other: &Role| one.quantity() == other.quantity();
@@ -73,21 +69,23 @@ fn as_headed(context: &mut ReadContext<'_>, grid: &Grid<'_>, own: Vec<Role>) -> 
         .iter()
         .zip(&said)
         .all(|(own, said)| *said == Role::Kept || own == said);
-    if !is_whole && !agrees {
-        context.refuse(
-            text!("the heading {heading}", heading = quoted(&names.join(" "))),
-            COLUMNS,
-        );
-        return None;
+    if agrees {
+        return Some(own);
     }
-    if is_whole && !agrees {
-        context.note(text!(
-            "the columns are those of the heading, not in the order of the format: {heading}",
-            heading = quoted(&names.join(" "))
-        ));
-        return Some(said);
+    if !is_whole {
+        return refuse_heading(context, &names.join(" "));
     }
-    Some(own)
+    context.note(text!(
+        "the columns are those of the heading, not in the order of the format: {heading}",
+        heading = quoted(&names.join(" "))
+    ));
+    Some(said)
+}
+
+fn refuse_heading(context: &mut ReadContext<'_>, heading: &str) -> Option<Vec<Role>> {
+    let found = text!("the heading {heading}", heading = quoted(heading));
+    context.refuse(found, COLUMNS);
+    None
 }
 
 /// Reads a trajectory.

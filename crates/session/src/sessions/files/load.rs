@@ -228,7 +228,7 @@ fn samples_file(
             samples_from(&bytes, &csv, place, wanted, part, findings)
         }
         Err(error) => {
-            let expected = text!("a file that can be read to its end");
+            let expected = text!("a file that can be read");
             findings.push(Diagnostic::error(csv, unreadable(&error), expected));
             None
         }

@@ -74,7 +74,10 @@ pub fn as_text<'a>(bytes: &'a [u8], file: &Place) -> Result<&'a str, Rejected> {
         return refused(file.clone(), text!("an empty file"));
     }
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        return refused(file.clone().at_line(1), text!("a file in UTF-16"));
+        return refused(
+            file.clone().at_line(1),
+            text!("a file in {encoding}", encoding = "UTF-16"),
+        );
     }
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok(text),

@@ -22,10 +22,10 @@ pub(super) fn units_of(
     headings: &[String],
     parts: &[TableColumn],
 ) -> Option<Units> {
-    let suits = |unit: &Unit| match unit {
-        Unit::Length(_) => context.reading.slides,
-        Unit::Angle(_) => !context.reading.slides,
-        Unit::Fixed => false,
+    let suits: fn(Unit) -> bool = if context.reading.slides {
+        |unit| matches!(unit, Unit::Length(_))
+    } else {
+        |unit| matches!(unit, Unit::Angle(_))
     };
     let in_heading = |index: usize| match words_and_unit(&headings.get(index)?.to_lowercase()).1? {
         Word::Unit(unit) => Some(unit),
@@ -36,7 +36,7 @@ pub(super) fn units_of(
     let mut strange = None;
     for (index, part) in parts.iter().enumerate() {
         let unit = in_heading(index);
-        if let Some(unit) = unit.filter(|unit| !suits(unit))
+        if let Some(unit) = unit.filter(|unit| !suits(*unit))
             && !matches!(
                 part,
                 TableColumn::Other | TableColumn::Direction | TableColumn::Run
@@ -65,22 +65,15 @@ pub(super) fn units_of(
         check_joint(commanded, unit, &kinds, place, &mut context.found.findings);
         return None;
     }
-    let in_preamble = grid.preamble.iter().find_map(|line| {
-        let words = line.iter().flat_map(|cell| cell.split([' ', ':', '=']));
-        let mut words = words.skip_while(|word| !word.to_lowercase().starts_with("unit"));
-        words.next()?;
-        words.take(3).find_map(|word| match units::word(word)? {
-            Word::Unit(unit) => Some(unit),
-            _ => None,
-        })
-    });
+    let mut before = grid.preamble.iter();
+    let in_preamble = before.find_map(|line| units::named_in_preamble(line, suits));
     let given = if context.reading.slides {
         context.reading.unit.map(LengthUnit::unit)
     } else {
         context.reading.angle_unit.map(AngleUnit::unit)
     };
     // What holds for the targets holds for the positions, but for deviations nothing follows.
-    let default = given.or(in_preamble.filter(suits));
+    let default = given.or(in_preamble.map(|(_, unit)| unit));
     let target_unit = target.or(default);
     let is_deviation = parts.contains(&TableColumn::Deviation);
     let inherited = if is_deviation { None } else { target };

@@ -16,7 +16,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::formats::{Importer, KnownBy, Meanings, Questions};
-use crate::importers::reader::{direction, fixed};
+use crate::importers::reader::{SIDES, direction};
 use crate::importers::role::Role;
 use crate::importers::settings::{ColumnGuess, Known, ReadContext};
 use crate::importers::times::extent;
@@ -46,10 +46,7 @@ pub(crate) static IMPORTER: Importer = Importer {
         ..Questions::TABLE
     },
     options: &[],
-    known_by: KnownBy::Reading {
-        turn: 3,
-        suits: |trial| trial.is_sound && trial.headings.is_some(),
-    },
+    known_by: KnownBy::headed(3),
     read,
 };
 
@@ -58,10 +55,8 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     if sections::is_one(context.text) {
         let list = sections::runs(context);
         context.found.rows = list.len();
-        if list.is_empty() && !context.is_open() {
-            context.refuse(text!("no sample"), text!("at least one"));
-        }
-        return (!context.is_open()).then(|| columns(context, &list, true, sections::UNITS));
+        let has_samples = context.has_samples();
+        return has_samples.then(|| columns(context, &list, true, sections::UNITS));
     }
     let grid = context.grid()?;
     let headings = headings(&grid);
@@ -102,10 +97,7 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let (decimal, units) = (decimal?, units?);
     let list = measurements(context, &grid, &parts, decimal);
     context.found.rows = list.len();
-    if list.is_empty() && !context.is_open() {
-        context.refuse(text!("no sample"), text!("at least one"));
-    }
-    if context.is_open() {
+    if !context.has_samples() {
         return None;
     }
     let is_wide = parts
@@ -148,10 +140,7 @@ fn measurements(
                 },
                 TableColumn::Direction => match direction(cell(index)) {
                     Some(number) => dir = number,
-                    None => wrong(
-                        index,
-                        phrase!("1, -1 or 0 (unknown), + or -, forward or backward"),
-                    ),
+                    None => wrong(index, SIDES),
                 },
                 TableColumn::Run => match cell(index).parse() {
                     Ok(number) => run = number,
@@ -330,21 +319,11 @@ fn columns(
             role: Role::Axis(joint),
             cells: Cells::Numbers(list.iter().map(position).collect()),
         },
-        Column {
-            name: "run".to_owned(),
-            number: 0,
-            role: Role::Kept,
-            cells: Cells::Text(list.iter().map(|m| m.run.to_string()).collect()),
-        },
+        Column::kept("run", list.iter().map(|m| m.run.to_string()).collect()),
     ];
     let dir = of(|m| m.dir);
     if dir.iter().any(|dir| *dir != 0.0) {
-        columns.push(Column {
-            name: format!("dir{}", joint + 1),
-            number: 0,
-            role: fixed(Quantity::Direction(joint), Unit::Fixed),
-            cells: Cells::Numbers(dir),
-        });
+        columns.push(Column::made(Quantity::Direction(joint), Unit::Fixed, dir));
     }
     Columns {
         list: columns,

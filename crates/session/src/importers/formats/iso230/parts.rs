@@ -61,6 +61,10 @@ pub(super) fn headings(grid: &Grid<'_>) -> Vec<String> {
     names
 }
 
+/// The words for the columns of a long table, and of a wide one.
+const LONG: &str = "target,direction,run,position";
+const WIDE: &str = "target,\"run 1 +\",\"run 1 -\"";
+
 /// What each column is.
 pub(super) fn parts(
     context: &mut ReadContext<'_>,
@@ -88,24 +92,12 @@ pub(super) fn parts(
     } else if grid.width == 4 {
         context.note(text!(
             "no header: the columns are taken as {words}",
-            words = "target, direction, run, position"
+            words = LONG.replace(',', ", ")
         ));
-        vec![
-            TableColumn::Target,
-            TableColumn::Direction,
-            TableColumn::Run,
-            TableColumn::Position,
-        ]
+        LONG.split(',').map(part_of).collect()
     } else {
         let says = text!(one "{count} column and no header", "{count} columns and no header", count = grid.width);
-        context.ask(
-            About::Columns,
-            says,
-            &[
-                "target,direction,run,position",
-                "target,\"run 1 +\",\"run 1 -\"",
-            ],
-        );
+        context.ask(About::Columns, says, &[LONG, WIDE]);
         return None;
     };
     let count = |wanted: fn(&TableColumn) -> bool| parts.iter().filter(|part| wanted(part)).count();
@@ -122,10 +114,9 @@ pub(super) fn parts(
         );
         let long = match grid.width {
             2 => "target,position",
-            _ => "target,direction,run,position",
+            _ => LONG,
         };
-        let wide = "target,\"run 1 +\",\"run 1 -\"";
-        context.ask(About::Columns, says, &[long, wide]);
+        context.ask(About::Columns, says, &[long, WIDE]);
         return None;
     }
     Some(parts)
@@ -134,7 +125,7 @@ pub(super) fn parts(
 fn part_of(heading: &str) -> TableColumn {
     let plain = heading.trim().to_lowercase();
     let (words, _) = words_and_unit(&plain);
-    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
+    let has = |list: Words| words.iter().any(|word| is_among(word, list));
     // A heading of one run says its number, its direction, or both.
     if let Some(dir) = direction_in(&plain) {
         let digits: String = plain
@@ -148,15 +139,15 @@ fn part_of(heading: &str) -> TableColumn {
             dir,
         };
     }
-    if has(&["deviation", "dev", "error", "err", "abweichung", "fehler"]) {
+    if has("deviation dev error err abweichung fehler") {
         TableColumn::Deviation
-    } else if has(&["direction", "dir", "richtung", "approach"]) {
+    } else if has("direction dir richtung approach") {
         TableColumn::Direction
-    } else if has(&["run", "cycle", "lauf", "zyklus", "repeat"]) {
+    } else if has("run cycle lauf zyklus repeat") {
         TableColumn::Run
-    } else if words.iter().any(|word| is_among(word, TARGET)) {
+    } else if has(TARGET) {
         TableColumn::Target
-    } else if words.iter().any(|word| is_among(word, POSITION)) {
+    } else if has(POSITION) {
         TableColumn::Position
     } else {
         TableColumn::Other

@@ -26,20 +26,16 @@ named! {
     }
     /// Its name in ROS.
     pub(super) fn name;
+    /// All of them.
+    const ALL;
 }
 
 impl Type {
     /// By the last part of a schema's name.
     pub(super) fn of(name: &str) -> Option<Self> {
-        let last = name.rsplit(['/', '.', ':']).next().unwrap_or_default();
-        Some(match last {
-            "JointState" => Self::JointState,
-            "PoseStamped" => Self::PoseStamped,
-            "PointStamped" => Self::PointStamped,
-            "TransformStamped" => Self::TransformStamped,
-            "TFMessage" => Self::TfMessage,
-            _ => return None,
-        })
+        let last = |name: &str| name.rsplit(['/', '.', ':']).next().map(str::to_owned);
+        let is_it = |one: &Self| last(one.name()) == last(name);
+        Self::ALL.into_iter().find(is_it)
     }
 }
 
@@ -48,15 +44,6 @@ impl Type {
 pub(super) struct Header {
     pub(super) time_ns: i64,
     pub(super) frame: String,
-}
-
-/// Joints by name.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Joints {
-    pub(super) header: Header,
-    pub(super) names: Vec<String>,
-    /// rad or m; as many as names.
-    pub(super) values: Vec<f64>,
 }
 
 /// Something that was measured in a frame.
@@ -72,7 +59,13 @@ pub(super) struct Measured {
 /// What a message says.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Content {
-    Joints(Joints),
+    /// Joints by name.
+    Joints {
+        header: Header,
+        names: Vec<String>,
+        /// rad or m; as many as names.
+        values: Vec<f64>,
+    },
     Measured(Vec<Measured>),
 }
 
@@ -145,11 +138,11 @@ fn joints(header: Header, mut names: Vec<String>, values: Vec<f64>) -> Result<Co
     if names.len() != values.len() {
         return Err(not_whole());
     }
-    Ok(Content::Joints(Joints {
+    Ok(Content::Joints {
         header,
         names,
         values,
-    }))
+    })
 }
 
 #[derive(Deserialize, Default)]

@@ -9,20 +9,26 @@
 mod cdr;
 mod container;
 mod messages;
-mod options;
 mod recorded;
 mod topics;
 
-use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Importer, KnownBy, Meanings, OwnOption, Questions};
-use crate::importers::settings::{About, ColumnGuess, ReadContext};
+use crate::importers::settings::{About, ColumnGuess, ReadContext, wrong_value};
 use crate::tables::foreign;
+use crate::text::Text;
 
 use messages::Type;
-use options::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer, TOPIC_JOINTS, TOPIC_MEASURED};
 use topics::{Topic, Topics};
+
+const TOPIC_JOINTS: &str = "topic-joints";
+const TOPIC_MEASURED: &str = "topic-measured";
+const FRAME_CHILD: &str = "frame-child";
+const JOINT_NAMES: &str = "joint-names";
+
+/// Something is asked or wrong, and stands in the inspection.
+struct NeedsAnswer;
 
 pub(crate) static IMPORTER: Importer = Importer {
     id: "mcap",
@@ -30,9 +36,7 @@ pub(crate) static IMPORTER: Importer = Importer {
     asks: Questions {
         table: false,
         columns: Meanings::Fixed,
-        y_up: false,
-        names: false,
-        joint: false,
+        ..Questions::TABLE
     },
     options: &[
         OwnOption {
@@ -85,18 +89,14 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
     let measured = chosen(context, &topics, &MEASURED);
     let (joints, measured) = (joints.ok()?, measured.ok()?);
     let Some(measured) = measured else {
-        let expected = text!(
-            "a topic of one of the types {types_in_words}",
-            types_in_words = MEASURED.types_in_words()
-        );
         context.refuse(
             text!("no topic with measured poses, points or transforms"),
-            expected,
+            MEASURED.expected(),
         );
         return None;
     };
-    let path = if let Some(topic) = joints {
-        Some(recorded::path(context, topic)?)
+    let commands = if let Some(topic) = joints {
+        Some(Box::new(recorded::path(context, topic)?))
     } else {
         context.note(text!(
             "no topic with joint states: --commands says where the robot was sent"
@@ -104,14 +104,10 @@ fn read(context: &mut ReadContext<'_>) -> Option<Columns> {
         None
     };
     let start_ns = joints.and_then(Topic::start_ns).or(measured.start_ns())?;
-    let mut columns = recorded::points(context, measured, start_ns)?;
+    let points = recorded::points(context, measured, start_ns)?;
+    let columns = Columns { commands, ..points };
     context.found.unit = text!("{unit}, as the format has it", unit = "m, rad");
-    columns.commands = path.map(|path| Box::new(path.into_columns(start_ns)));
-    let all = columns
-        .commands
-        .iter()
-        .map(|path| &**path)
-        .chain([&columns]);
+    let all = columns.commands.iter().map(Box::as_ref).chain([&columns]);
     context.found.columns = all.flat_map(ColumnGuess::certain).collect();
     context.found.rows = columns.rows();
     (!context.is_open()).then_some(columns)
@@ -136,14 +132,11 @@ fn gathered(context: &mut ReadContext<'_>) -> Option<Topics> {
             byte = broken.byte,
             found = broken.found
         );
-        let place = context.place.clone();
         if broken.is_cut && topics.messages() > 0 {
             let found = text!("{found}; everything before it is read", found);
-            let diagnostic = Diagnostic::warning(place, found, broken.expected);
-            context.found.findings.push(diagnostic);
+            context.warn(found, broken.expected);
         } else {
-            let diagnostic = Diagnostic::error(place, found, broken.expected);
-            context.found.findings.push(diagnostic);
+            context.refuse(found, broken.expected);
             return None;
         }
     }
@@ -177,14 +170,13 @@ const MEASURED: TopicRequest = TopicRequest {
 };
 
 impl TopicRequest {
-    fn types_in_words(&self) -> String {
-        let names: Vec<&str> = self
-            .types
-            .iter()
-            .flat_map(|t| t.iter())
-            .map(|t| t.name())
-            .collect();
-        names.join(", ")
+    fn expected(&self) -> Text {
+        let types = self.types.iter().flat_map(|types| types.iter());
+        let names: Vec<&str> = types.map(|type_| type_.name()).collect();
+        text!(
+            "a topic of one of the types {types_in_words}",
+            types_in_words = names.join(", ")
+        )
     }
 }
 
@@ -205,16 +197,9 @@ fn chosen<'t>(
         let found = suited.iter().find(is).copied();
         if found.is_none() {
             let names: Vec<String> = suited.iter().map(|topic| quoted(&topic.name)).collect();
-            let found = text!(
-                "--{option}: {found}",
-                option = wanted.option,
-                found = quoted(said)
-            );
+            let found = wrong_value(wanted.option, said);
             let expected = match &names[..] {
-                [] => text!(
-                    "a topic of one of the types {types_in_words}",
-                    types_in_words = wanted.types_in_words()
-                ),
+                [] => wanted.expected(),
                 names => text!("one of {names}", names = names.join(", ")),
             };
             context.refuse(found, expected);

@@ -6,17 +6,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::joint_names::{Shared, shared};
-use crate::importers::matching::listed_names_up_to;
-use crate::importers::role::Role;
-use crate::importers::settings::{About, ReadContext};
-use crate::sessions::Lines;
+use crate::importers::joint_names::shared;
+use crate::importers::matching::listed_names;
+use crate::importers::role::{Proposal, Role};
+use crate::importers::settings::{About, ReadContext, wrong_value};
 use crate::sessions::columns::{Quantity, Unit};
 use crate::tables::Names;
 
 use super::messages::Measured;
-use super::options::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer};
 use super::topics::Topic;
+use super::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer};
 
 /// Joint states that are nearer in time are averaged: encoders' noise over a millisecond looks like
 /// motion.
@@ -24,23 +23,9 @@ const SPACING_NS: i64 = 20_000_000;
 /// Names that a message lists.
 const SHOWN: usize = 20;
 
-/// Where the joints were over time.
-pub(super) struct Path {
-    /// ns, increasing; with the fraction that averaging brings.
-    time_ns: Vec<f64>,
-    /// One for each joint of the robot; rad or m.
-    q: Vec<Vec<f64>>,
-    slides: Vec<bool>,
-    start_ns: i64,
-}
-
-/// The path of the robot's joints. `None`: something is asked, or wrong.
-pub(super) fn path(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Path> {
+/// Where the robot's joints were over time, as a table of commands. `None`: something is asked, or wrong.
+pub(super) fn path(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Columns> {
     let names = joints_of(context, topic)?;
-    let slides = match &context.reading.joints[..] {
-        [] => vec![false; names.len()],
-        joints => joints.iter().map(|(_, slides)| *slides).collect(),
-    };
     // A row for each time at which all of them are known; what comes twice is taken once.
     let mut rows: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
     for (joint, name) in names.iter().enumerate() {
@@ -77,7 +62,7 @@ pub(super) fn path(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Path>
             "no message of {topic} has all joints",
             topic = quoted(&topic.name)
         );
-        context.refuse(says, listed_names_up_to(&names, SHOWN));
+        context.refuse(says, listed_names(&names, SHOWN));
         return None;
     }
     if rows.len() < all {
@@ -89,15 +74,27 @@ pub(super) fn path(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Path>
         );
         context.warn(found, Text::default());
     }
-    let start_ns = topic.start_ns()?;
-    let path = Path::averaged(&rows, names.len(), slides, start_ns);
+    let (time_s, q) = averaged(&rows, names.len(), topic.start_ns()?);
+    let mut list = vec![Column::made(Quantity::Time, Unit::Fixed, time_s)];
+    for (joint, values) in q.into_iter().enumerate() {
+        let slides = context.reading.joints.get(joint).is_some_and(|own| own.1);
+        let unit = if slides {
+            Unit::Length(1000.0)
+        } else {
+            Unit::Angle(1.0)
+        };
+        list.push(Column::made(Quantity::Commanded(joint), unit, values));
+    }
     context.note(text!(
         "joint values are those that {topic} reports, {rows} of them, taken as commanded: {names}",
         topic = quoted(&topic.name),
         rows = rows.len(),
         names = names.join(", ")
     ));
-    Some(path)
+    Some(Columns {
+        list,
+        ..Columns::default()
+    })
 }
 
 /// Messages that are farther apart say nothing of the time between them.
@@ -136,7 +133,7 @@ fn joints_of(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>
         .iter()
         .map(|(name, _)| name.as_str())
         .collect();
-    let recorded = listed_names_up_to(&topic.joint_names, SHOWN);
+    let recorded = listed_names(&topic.joint_names, SHOWN);
     if let Some(said) = context.reading.options.get(JOINT_NAMES) {
         let names: Vec<String> = said.split(',').map(|name| name.trim().to_owned()).collect();
         let distinct: BTreeSet<&String> = names.iter().collect();
@@ -146,11 +143,7 @@ fn joints_of(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>
             return Some(names);
         }
         context.refuse(
-            text!(
-                "--{option}: {found}",
-                option = JOINT_NAMES,
-                found = quoted(said)
-            ),
+            wrong_value(JOINT_NAMES, said),
             text!(
                 "as many names as the robot has joints, of {recorded}",
                 recorded
@@ -168,10 +161,10 @@ fn joints_of(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>
         return Some(topic.joint_names.clone());
     }
     let kept = vec![Role::Kept; topic.joint_names.len()];
-    if let Shared::One(found) = shared(&topic.joint_names, &kept, &context.reading.joints) {
-        let names = found
-            .iter()
-            .map(|(index, _)| topic.joint_names[*index].clone());
+    if let Proposal::One(found) = shared(&topic.joint_names, &kept, &context.reading.joints) {
+        // Those that are read back beside commanded ones come last.
+        let found = found.iter().take(robot.len());
+        let names = found.map(|(index, _)| topic.joint_names[*index].clone());
         return Some(names.collect());
     }
     let says = text!(
@@ -189,67 +182,34 @@ fn joints_of(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Vec<String>
     None
 }
 
-impl Path {
-    fn averaged(
-        rows: &BTreeMap<i64, Vec<f64>>,
-        joints: usize,
-        slides: Vec<bool>,
-        start_ns: i64,
-    ) -> Self {
-        let mut path = Self {
-            time_ns: Vec::new(),
-            q: vec![Vec::new(); joints],
-            slides,
-            start_ns,
-        };
-        let mut rows = rows.iter().peekable();
-        while let Some((&first, values)) = rows.next() {
-            let mut sum = values.clone();
-            let (mut count, mut later_ns) = (1.0, 0.0);
-            while let Some((time, values)) =
-                rows.next_if(|(time, _)| time.saturating_sub(first) < SPACING_NS)
-            {
-                count += 1.0;
-                later_ns += (time - first) as f64;
-                for (sum, value) in sum.iter_mut().zip(values) {
-                    *sum += value;
-                }
-            }
-            // Relative to the start: a double cannot hold a nanosecond of these days.
-            path.time_ns
-                .push(first.saturating_sub(start_ns) as f64 + later_ns / count);
-            for (column, sum) in path.q.iter_mut().zip(sum) {
-                column.push(sum / count);
+/// Times since the start, s, and the values of each joint, without what is nearer in time than the spacing.
+fn averaged(
+    rows: &BTreeMap<i64, Vec<f64>>,
+    joints: usize,
+    start_ns: i64,
+) -> (Vec<f64>, Vec<Vec<f64>>) {
+    let (mut time_s, mut q) = (Vec::new(), vec![Vec::new(); joints]);
+    let mut rows = rows.iter().peekable();
+    while let Some((&first, values)) = rows.next() {
+        let mut sum = values.clone();
+        let (mut count, mut later_ns) = (1.0, 0.0);
+        while let Some((time, values)) =
+            rows.next_if(|(time, _)| time.saturating_sub(first) < SPACING_NS)
+        {
+            count += 1.0;
+            later_ns += (time - first) as f64;
+            for (sum, value) in sum.iter_mut().zip(values) {
+                *sum += value;
             }
         }
-        path
-    }
-
-    /// As a table of commands whose times count from `start_ns`.
-    pub(super) fn into_columns(self, start_ns: i64) -> Columns {
-        let shift_ns = self.start_ns.saturating_sub(start_ns) as f64;
-        let time_s = self.time_ns.iter().map(|time| 1e-9 * (time + shift_ns));
-        let mut list = vec![time_column(time_s.collect())];
-        for (joint, (values, slides)) in self.q.into_iter().zip(self.slides).enumerate() {
-            let unit = if slides {
-                Unit::Length(1000.0)
-            } else {
-                Unit::Angle(1.0)
-            };
-            list.push(Column::made(Quantity::Commanded(joint), unit, values));
-        }
-        Columns {
-            list,
-            ..Columns::default()
+        // Relative to the start: a double cannot hold a nanosecond of these days.
+        let since_ns = first.saturating_sub(start_ns) as f64 + later_ns / count;
+        time_s.push(1e-9 * since_ns);
+        for (column, sum) in q.iter_mut().zip(sum) {
+            column.push(sum / count);
         }
     }
-}
-
-fn time_column(time_s: Vec<f64>) -> Column {
-    Column {
-        role: Role::Time(Some(1.0)),
-        ..Column::made(Quantity::Time, Unit::Fixed, time_s)
-    }
+    (time_s, q)
 }
 
 /// What was measured, in the order of time. `None`: something is asked.
@@ -288,8 +248,7 @@ pub(super) fn points(
         return None;
     }
     let frames: BTreeSet<&str> = list.iter().map(|m| m.header.frame.as_str()).collect();
-    let frames: Vec<String> = frames.into_iter().map(quoted).collect();
-    let listed = listed_names_up_to(&frames, SHOWN);
+    let listed = listed_names(frames.iter().map(|frame| quoted(frame)), SHOWN);
     let child = child.map_or_else(String::new, |child| format!(" → {}", quoted(&child)));
     context.note(text!(
         "measured is {topic}, {list} times, in the frame {frames}",
@@ -297,7 +256,6 @@ pub(super) fn points(
         list = list.len(),
         frames = listed
     ));
-    let of = |part: &dyn Fn(&Measured) -> f64| list.iter().map(|m| part(m)).collect::<Vec<f64>>();
     let mut columns = Columns::default();
     let places = list
         .iter()
@@ -308,9 +266,9 @@ pub(super) fn points(
         let turns = turns.into_iter().map(Quaternion::from);
         columns.put_orientations(&turns.collect::<Vec<_>>());
     }
-    columns.list.push(time_column(of(&|m| {
-        1e-9 * m.header.time_ns.saturating_sub(start_ns) as f64
-    })));
+    let times = list.iter().map(|m| m.header.time_ns.saturating_sub(start_ns));
+    let times = times.map(|since_ns| 1e-9 * since_ns as f64).collect();
+    columns.put(Column::made(Quantity::Time, Unit::Fixed, times));
     if frames.len() > 1 {
         let mut names = Names::default();
         for measured in &list {
@@ -318,8 +276,6 @@ pub(super) fn points(
         }
         columns.list.push(Column::named(Quantity::Setup, names));
     }
-    // A message has no line: its number finds it again.
-    columns.lines = Lines::default();
     Some(columns)
 }
 
@@ -334,14 +290,9 @@ fn child_of(context: &mut ReadContext<'_>, topic: &Topic) -> Result<Option<Strin
         if children.contains(&said.as_str()) {
             return Ok(Some(said.clone()));
         }
-        let names: Vec<String> = children.iter().map(|name| quoted(name)).collect();
-        let found = text!(
-            "--{option}: {found}",
-            option = FRAME_CHILD,
-            found = quoted(said)
-        );
-        let expected = text!("one of {names}", names = listed_names_up_to(&names, SHOWN));
-        context.refuse(found, expected);
+        let names = listed_names(children.iter().map(|name| quoted(name)), SHOWN);
+        let expected = text!("one of {names}", names);
+        context.refuse(wrong_value(FRAME_CHILD, said), expected);
         return Err(NeedsAnswer);
     }
     match children[..] {

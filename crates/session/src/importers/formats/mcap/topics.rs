@@ -53,10 +53,14 @@ impl Topic {
             }
         };
         match content {
-            Content::Joints(joints) => {
-                self.without_positions += usize::from(joints.values.is_empty());
-                let time_ns = time(joints.header.time_ns);
-                for (name, value) in joints.names.into_iter().zip(joints.values) {
+            Content::Joints {
+                header,
+                names,
+                values,
+            } => {
+                self.without_positions += usize::from(values.is_empty());
+                let time_ns = time(header.time_ns);
+                for (name, value) in names.into_iter().zip(values) {
                     if !self.joints.contains_key(&name) {
                         if self.joint_names.len() == MOST_JOINTS {
                             return Err(messages::not_whole());
@@ -140,10 +144,8 @@ impl Topics {
         let of_use = of_use.map(|topic| (&topic.name[..], topic.type_.name(), topic.messages));
         let others = self.others.iter();
         let others = others.map(|((name, type_), count)| (&name[..], &type_[..], *count));
-        let all: Vec<String> = of_use
-            .chain(others)
-            .map(|(name, type_, count)| format!("{name} ({type_}, {count})"))
-            .collect();
-        crate::importers::matching::listed_names_up_to(&all, SHOWN)
+        let all = of_use.chain(others);
+        let all = all.map(|(name, type_, count)| format!("{name} ({type_}, {count})"));
+        crate::importers::matching::listed_names(all, SHOWN)
     }
 }

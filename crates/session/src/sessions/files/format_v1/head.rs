@@ -258,7 +258,7 @@ fn region(o: &mut Object<'_, '_>, own: &mut Region) {
     o.required("to_deg", &mut own.to_rad, &DEGREES);
     if o.has_read_well() && own.from_rad >= own.to_rad {
         let (from, to) = (degrees(own.from_rad), degrees(own.to_rad));
-        let expected = text!("a region from the smaller to the larger value");
+        let expected = text!("a range from the smaller to the larger value");
         o.error(text!("a region from {from} to {to}", from, to), expected);
     }
 }

@@ -135,8 +135,8 @@ pub(super) fn source(o: &mut Object<'_, '_>, robot: &mut Robot) {
             RobotSource::Links(frames) => frames.len(),
         };
         if count != joints && joints > 0 {
-            let found = text!("a source of {count} joints", count);
-            return at.error(found, text!("one of {joints} joints", joints));
+            let joints_of = |joints: usize| text!("{joints} joints", joints);
+            return at.error(joints_of(count), joints_of(joints));
         }
         Some(source)
     };
