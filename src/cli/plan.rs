@@ -81,7 +81,7 @@ impl From<PlanError> for Failure {
     fn from(error: PlanError) -> Self {
         match error {
             PlanError::Diagnose(error) => error.into(),
-            other => Self::refused(other.describe()),
+            PlanError::Option(text) => Self::refused(text),
         }
     }
 }

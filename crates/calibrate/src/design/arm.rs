@@ -12,7 +12,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::candidate::{Candidate, Writing, anywhere, ranges};
 use super::imagined::{extend, extended, unmeasured};
-use super::line_of_sight;
+use super::line_of_sight::seen;
 use super::measuring_methods::{MeasuringMethod, ways};
 use super::needs::test_load_kg;
 use super::plan_options::PlanOptions;
@@ -43,8 +43,8 @@ pub(crate) struct Arm {
     pub(crate) ranges: Vec<Range>,
     /// So many of the targets are there already.
     mounted: usize,
-    ways: Vec<MeasuringMethod>,
-    cone_rad: Option<f64>,
+    pub(super) ways: Vec<MeasuringMethod>,
+    pub(super) cone_rad: Option<f64>,
     pub(crate) seed: u64,
     /// The test load, kg; none: the load stays as it is.
     pub(crate) load_kg: Option<f64>,
@@ -95,7 +95,11 @@ impl Arm {
             session.instrument.sigma_mm = Some(Sigma::Overall(unit * priors.variance.sqrt()));
         }
         Ok(Self {
-            base: valued(&start, &fitted),
+            base: start.with_each(|_, term| {
+                if let Some(own) = fitted.terms().iter().find(|t| t.same_column(term)) {
+                    term.coefficients.clone_from(&own.coefficients);
+                }
+            }),
             mounted: session.targets.len(),
             ways: ways(&session, from),
             cone_rad: options.cone_rad,
@@ -211,26 +215,15 @@ impl Arm {
         let mut all = Vec::new();
         let mut drawn = drawn.into_iter();
         while all.len() < count && drawn.len() > 0 {
-            let brought = drawn.by_ref().take(count).filter_map(|(mut q, way)| {
+            let there = drawn.by_ref().take(count).filter_map(|(mut q, way)| {
                 self.session.robot.follow(&mut q);
-                let own = &self.ways[way];
-                let q = own.brought(&self.session, &self.base, &self.ranges, q)?;
-                Some(Candidate {
-                    target: own.target,
-                    way,
-                    ..Candidate::at(q)
-                })
+                let (session, base, ranges) = (&self.session, &self.base, &self.ranges);
+                self.ways[way].brought(way, session, base, ranges, q)
             });
-            let some: Vec<Candidate> = brought.collect();
-            let posed: Vec<_> = some.iter().map(|c| (&c.q[..], c.target)).collect();
-            let from: Vec<_> = some.iter().map(|c| self.ways[c.way].from).collect();
-            let seen = line_of_sight::seen(&self.session, &self.base, &posed, &from, self.cone_rad);
-            all.extend(
-                some.into_iter()
-                    .zip(seen)
-                    .filter(|own| own.1)
-                    .map(|own| own.0),
-            );
+            let mut some: Vec<Candidate> = there.collect();
+            let mut seen = seen(self, &some).into_iter();
+            some.retain(|_| seen.next() == Some(true));
+            all.extend(some);
         }
         all.truncate(count);
         all
@@ -256,17 +249,4 @@ impl Arm {
         extend(&mut whole, &self.base, &poses.collect::<Vec<_>>(), &like);
         whole
     }
-}
-
-/// Terms with the values of a fit, as far as it has them.
-fn valued(start: &Model, fitted: &Model) -> Model {
-    let terms = start.terms().iter().map(|term| {
-        let own = fitted.terms().iter().find(|t| t.same_column(term));
-        let mut term = term.clone();
-        if let Some(own) = own {
-            term.coefficients.clone_from(&own.coefficients);
-        }
-        term
-    });
-    Model::new(start.robot.clone(), terms.collect())
 }

@@ -8,17 +8,17 @@
 //! with σ the weak priors and the stated places of targets, and J₀ the rows of what was measured before.
 
 use super::arm::CANDIDATES;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use super::arm::Arm;
 use super::candidate::Candidate;
 use super::covariance::inverse;
 use super::exchange::{Criterion, choose, exchange};
-use super::forecast::{ExpectedError, Forecast, Workspace};
+use super::forecast::{ExpectedError, Forecast, Workspace, of_columns, turns};
 use super::imagined::shown;
 use super::information::Information;
 use crate::budget;
-use crate::effects::JointValues;
+use crate::effects::{JointValues, Term};
 use crate::fit::gauge;
 use crate::fit::priors::Priors;
 use crate::fit::problem::Problem;
@@ -72,8 +72,7 @@ impl Arm {
     /// The prior information on some coefficients of a model.
     pub(crate) fn prior_information(&self, model: &Model, columns: &[usize]) -> DMatrix<f64> {
         precision(&self.priors, model, columns, |term, k| {
-            let kind = model.robot.joints[term.joint].kind;
-            ANYWHERE[usize::from(!term.effect.about().form.turns(k, kind))].powi(-2)
+            ANYWHERE[usize::from(!turns(model, term, k))].powi(-2)
         })
     }
 
@@ -119,15 +118,13 @@ fn precision(
     priors: &Priors,
     model: &Model,
     columns: &[usize],
-    unknown: impl Fn(&crate::effects::Term, usize) -> f64,
+    unknown: impl Fn(&Term, usize) -> f64,
 ) -> DMatrix<f64> {
-    let each = model.columns().map(|(term, k)| {
+    let of = |term: &Term, k: usize| {
         let sigma = priors.sigma(model, term, k);
         sigma.map_or_else(|| unknown(term, k), |sigma| sigma.powi(-2))
-    });
-    let each: Vec<f64> = each.collect();
-    let own = columns.iter().map(|k| each[*k]);
-    DMatrix::from_diagonal(&DVector::from_iterator(columns.len(), own))
+    };
+    DMatrix::from_diagonal(&of_columns(model, columns, of).into())
 }
 
 impl CandidateSet {
@@ -166,10 +163,5 @@ impl CandidateSet {
         let count = self.before + of.len();
         self.workspace
             .forecast(&information.covariance, &gram, count)
-    }
-
-    /// Number of coefficients that candidates show.
-    pub(crate) fn parameters(&self) -> usize {
-        self.measured.nrows()
     }
 }

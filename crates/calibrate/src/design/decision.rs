@@ -22,9 +22,9 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::candidate_poses::CandidatePoses;
 use super::comparison::{Comparison, ModelDistance, enough_for};
 use super::covariance;
-use super::field::Field;
 use super::rows::Rows;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::other_settings::at_another_setting;
@@ -77,12 +77,15 @@ pub(crate) struct Decision {
 impl Decision {
     /// Among explanations, at least one; and each of them as it is refitted to the predictions of every other that may
     /// be true and has to be distinguished from it. Their rows are relative to the first.
-    pub(crate) fn new(field: &Field, explanations: &[Explanation]) -> (Self, Vec<Comparison>) {
+    pub(crate) fn new(
+        offer: &CandidatePoses,
+        explanations: &[Explanation],
+    ) -> (Self, Vec<Comparison>) {
         let mut random = ChaCha8Rng::seed_from_u64(0);
         let (mut rows, mut grams, mut truths) = (Vec::new(), Vec::new(), Vec::new());
         for (index, Explanation { fit, open, .. }) in explanations.iter().enumerate() {
-            let own = field.rows(&explanations[0].fit.model, &fit.model);
-            let gram = field.gram(&fit.model);
+            let own = offer.rows(&explanations[0].fit.model, &fit.model);
+            let gram = offer.gram(&fit.model);
             if *open {
                 truths.push(Truth {
                     index,
@@ -93,7 +96,7 @@ impl Decision {
             rows.push(Arc::new(own));
             grams.push(gram);
         }
-        let differ = to_distinguish(field, explanations);
+        let differ = to_distinguish(offer, explanations);
         let comparison = |(other, gram): (usize, &DMatrix<f64>)| {
             let own = &rows[other];
             let against = truths.iter().map(|truth| truth.index);
@@ -114,7 +117,7 @@ impl Decision {
             differ,
             truths,
             random,
-            rows: field.regression.m(),
+            rows: offer.regression.m(),
             new_rows: 0.0,
             history: Vec::new(),
         };
@@ -224,9 +227,9 @@ fn least(now: &[DMatrix<u8>], counts: impl Fn(usize, usize) -> bool) -> f64 {
 
 /// For each pair of explanations whether a diagnosis has to distinguish them: neither has all names of the other, or
 /// one of them differs from the first by the settings of its names alone, and the other from it.
-fn to_distinguish(field: &Field, explanations: &[Explanation]) -> Vec<Vec<bool>> {
+fn to_distinguish(offer: &CandidatePoses, explanations: &[Explanation]) -> Vec<Vec<bool>> {
     let names = |e: &Explanation| -> Vec<(&'static str, usize)> {
-        let added = field.regression.added(&e.fit).into_iter();
+        let added = offer.regression.added(&e.fit).into_iter();
         added.map(|t| (t.effect.about().id, t.joint)).collect()
     };
     let names: Vec<_> = explanations.iter().map(names).collect();

@@ -13,6 +13,7 @@
 use nalgebra::DMatrix;
 
 use super::rows::Rows;
+use crate::effects::Term;
 use crate::fit::problem::Problem;
 use crate::fit::ranges::over_the_ranges;
 use crate::model::Model;
@@ -49,6 +50,22 @@ pub(crate) struct Workspace {
     shown: usize,
 }
 
+/// Whether a coefficient is an angle.
+pub(super) fn turns(model: &Model, term: &Term, coefficient: usize) -> bool {
+    let kind = model.robot.joints[term.joint].kind;
+    term.effect.about().form.turns(coefficient, kind)
+}
+
+/// A number of each of some coefficients of a model.
+pub(super) fn of_columns(
+    model: &Model,
+    columns: &[usize],
+    of: impl Fn(&Term, usize) -> f64,
+) -> Vec<f64> {
+    let all: Vec<f64> = model.columns().map(|(term, k)| of(term, k)).collect();
+    columns.iter().map(|column| all[*column]).collect()
+}
+
 impl Workspace {
     /// `everything` is the information of all that can be measured.
     pub(crate) fn new(
@@ -60,20 +77,17 @@ impl Workspace {
         let inputs = over_the_ranges(problem);
         let all = Rows::of_points([model; 2], &inputs, &[0, 1, 2], [1.0; 3]);
         let reach = model.robot.longest_lever_mm();
-        let steps = model.columns().map(|(term, k)| {
-            let kind = model.robot.joints[term.joint].kind;
-            if term.effect.about().form.turns(k, kind) {
+        let step = |term: &Term, k: usize| {
+            if turns(model, term, k) {
                 1.0 / reach
             } else {
                 1.0
             }
-        });
-        let steps: Vec<f64> = steps.collect();
-        let instrument = &problem.session.instrument;
-        let sigma = KINDS[0].sigma(instrument);
+        };
+        let sigma = KINDS[0].sigma(&problem.session.instrument);
         let mut workspace = Self {
             rows: all.only(columns),
-            steps: columns.iter().map(|k| steps[*k]).collect(),
+            steps: of_columns(model, columns, step),
             unit_mm: sigma.unwrap_or(KINDS[0].about().usual_sigma),
             shown: 0,
         };

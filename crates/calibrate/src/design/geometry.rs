@@ -4,10 +4,12 @@ use super::arm::Arm;
 use super::candidate::Candidate;
 use super::candidate_set::CandidateSet;
 use super::forecast::{ExpectedError, Forecast};
-use super::plan_options::{MOST, PlanError};
+use super::plan_options::PlanError;
 
 /// The expected error is stated for so many poses.
 const CURVE: [usize; 4] = [20, 30, 50, 100];
+/// A wanted accuracy is looked for up to so many poses.
+const MOST: usize = 400;
 /// Sets of random poses that a robot's plan is compared with.
 const RANDOM_SETS: usize = 20;
 
@@ -34,7 +36,12 @@ pub(crate) fn best(
     poses: usize,
     accuracy_mm: Option<f64>,
 ) -> Result<(Vec<Candidate>, Geometry), PlanError> {
-    let set = arm.spread().ok_or(PlanError::Unseen)?;
+    let unseen = || {
+        PlanError::Option(text!(
+            "no pose within the joint limits can be measured: none is seen from where the instrument stands, or brings the target to where it is held; expected limits, a place or a cone that leave some"
+        ))
+    };
+    let set = arm.spread().ok_or_else(unseen)?;
     let count = accuracy_mm.map_or(Ok(poses), |mm| enough(&set, mm))?;
     let end = arm.designed(&set, count);
     let all: Vec<usize> = (0..end.candidates.len()).collect();
@@ -42,7 +49,7 @@ pub(crate) fn best(
         .into_iter()
         .map(|count| (count, set.forecast(&set.chosen(count)).error));
     let geometry = Geometry {
-        parameters: set.parameters(),
+        parameters: set.information.covariance.nrows(),
         before: if set.before > 0 {
             set.forecast(&[])
         } else {
@@ -64,9 +71,14 @@ fn enough(set: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
     }
     let trace = set.trace(MOST);
     let reached_at = trace.iter().position(reached);
-    let at = reached_at.ok_or_else(|| PlanError::OutOfReach {
-        wanted,
-        reached: trace.last().map_or(f64::INFINITY, |e| e.p95_mm),
+    let at = reached_at.ok_or_else(|| {
+        let reached = trace.last().map_or(f64::INFINITY, |e| e.p95_mm);
+        PlanError::Option(text!(
+            "--accuracy {wanted}: {most} poses are expected to leave {reached} mm (95th percentile over the joint ranges); expected a larger value, or a smaller --sigma",
+            wanted,
+            most = MOST,
+            reached = format!("{reached:.4}")
+        ))
     })?;
     let (mut few, mut enough) = (at.div_ceil(2), at + 1);
     while few + 1 < enough {

@@ -175,18 +175,13 @@ pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like:
 fn show(all: &mut Session, model: &Model, n: usize, like: &[Option<usize>]) {
     let seen = predictions(all, JointValues::Commanded, model);
     for (i, like) in (n..).zip(like) {
-        let Some(like) = *like else {
-            let samples = &mut all.samples;
-            (samples.x_mm[i], samples.y_mm[i]) = (seen[i].0[0], seen[i].0[1]);
-            if let Some(z) = &mut samples.z_mm {
-                z[i] = seen[i].0[2];
-            }
-            continue;
-        };
-        let missing = all.samples.coordinates(like).map(f64::is_nan);
-        let measured = KINDS.iter().filter(|kind| kind.measured(all, like));
-        for kind in measured.collect::<Vec<_>>() {
-            let place = kind.place(all, like);
+        let missing = like.map_or([false; 3], |like| {
+            all.samples.coordinates(like).map(f64::is_nan)
+        });
+        let measured = |k: usize| like.map_or(k == 0, |like| KINDS[k].measured(all, like));
+        let kinds: Vec<usize> = (0..KINDS.len()).filter(|k| measured(*k)).collect();
+        for kind in kinds.into_iter().map(|k| KINDS[k]) {
+            let place = like.and_then(|like| kind.place(all, like));
             let at = place.map_or([0.0; MOST], |place| place_of(all, model, place));
             let seen = Seen {
                 point: seen[i].0,

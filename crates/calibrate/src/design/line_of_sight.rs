@@ -8,9 +8,10 @@
 
 use nalgebra::{Point3, Vector3};
 
+use super::arm::Arm;
+use super::candidate::Candidate;
+use super::measuring_methods::last_setup;
 use crate::effects::Inputs;
-use crate::model::Model;
-use crate::sessions::Session;
 
 /// A rod takes the sight within this distance, mm.
 pub(crate) const THICK_MM: f64 = 80.0;
@@ -24,24 +25,20 @@ struct SightPose {
     faces: Vector3<f64>,
 }
 
-/// Which poses are visible from an instrument at `from`, in the measuring frame, mm.
-pub(crate) fn seen(
-    session: &Session,
-    model: &Model,
-    poses: &[(&[f64], u32)],
-    from: &[Option<Point3<f64>>],
-    cone_rad: Option<f64>,
-) -> Vec<bool> {
-    let posed = posed(session, model, poses);
-    let visible = |(pose, from): (&SightPose, &Option<Point3<f64>>)| {
-        from.is_none_or(|from| pose.lit(&from) && cone_rad.is_none_or(|c| pose.faces(&from, c)))
+/// Which candidates are visible from the instruments that measure them.
+pub(super) fn seen(arm: &Arm, candidates: &[Candidate]) -> Vec<bool> {
+    let visible = |(pose, candidate): (&SightPose, &Candidate)| {
+        let faces = |from| arm.cone_rad.is_none_or(|cone| pose.faces(from, cone));
+        let from = arm.ways[candidate.way].from.as_ref();
+        from.is_none_or(|from| pose.lit(from) && faces(from))
     };
-    posed.iter().zip(from).map(visible).collect()
+    let posed = posed(arm, candidates);
+    posed.iter().zip(candidates).map(visible).collect()
 }
 
 /// Where joints and targets are, as the model has them: a point of a joint's axis moves with the joints
 /// before it alone.
-fn posed(session: &Session, model: &Model, poses: &[(&[f64], u32)]) -> Vec<SightPose> {
+fn posed(Arm { session, base, .. }: &Arm, candidates: &[Candidate]) -> Vec<SightPose> {
     let robot = &session.robot;
     let n = robot.joints.len();
     let home = |p: &Point3<f64>| <[f64; 3]>::from((robot.base_from_tool * p).coords);
@@ -55,22 +52,19 @@ fn posed(session: &Session, model: &Model, poses: &[(&[f64], u32)]) -> Vec<Sight
     // For each pose its joints one by one, the tool's origin, a point along its z, and the target.
     let per = n + 3;
     let column = |j: usize| {
-        let rows = poses.iter().flat_map(|(q, _)| {
-            (0..per).map(move |row| if row > j || row >= n { q[j] } else { 0.0 })
-        });
+        let rows = candidates
+            .iter()
+            .flat_map(|c| (0..per).map(move |row| if row > j || row >= n { c.q[j] } else { 0.0 }));
         rows.collect::<Vec<f64>>()
     };
     let mut inputs = Inputs::at_poses((0..n).map(column).collect(), at_home);
-    let point = |row: usize, target: u32| {
-        u32::try_from(row).unwrap_or(0) + if row == per - 1 { target } else { 0 }
-    };
-    let points = poses
+    let last = per as u32 - 1;
+    let points = candidates
         .iter()
-        .flat_map(|(_, target)| (0..per).map(move |row| point(row, *target)));
+        .flat_map(|c| (0..last).chain([last + c.target]));
     inputs.target = Some(points.collect());
-    let setup = session.samples.setups.as_ref().and_then(|s| s.index.last());
-    inputs.setup = setup.map(|last| vec![f64::from(*last); per * poses.len()]);
-    let all = model.predict(&inputs);
+    inputs.setup = last_setup(session).map(|last| vec![last; per * candidates.len()]);
+    let all = base.predict(&inputs);
     let at = |row: usize| Point3::from(all.get(row));
     let one = |k: usize| {
         let first = k * per;
@@ -86,7 +80,7 @@ fn posed(session: &Session, model: &Model, poses: &[(&[f64], u32)]) -> Vec<Sight
             },
         }
     };
-    (0..poses.len()).map(one).collect()
+    (0..candidates.len()).map(one).collect()
 }
 
 impl SightPose {

@@ -98,7 +98,8 @@ pub fn plan_session(
         }
     }
     let with_poses = extended(session, &fit.model, &plan.poses, &plan.targets);
-    plan.expected = expected(&with_poses, plan.sigma_mm, &options.diagnosis)?;
+    let imagined = PreparedSearch::new(&with_poses, &options.diagnosis)?;
+    plan.expected = expected(&imagined, plan.sigma_mm);
     let still = |l: &Untestable| {
         let same = |n: &NotTestable| n.effect == l.effect && n.joint == l.joint;
         plan.expected.not_testable.iter().any(same)
@@ -217,8 +218,8 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         return Ok(plan);
     }
     let session = measured(&plan.poses, &plan.targets);
-    plan.expected = expected(&session, sigma_mm, &options.diagnosis)?;
     let prepared = PreparedSearch::new(&session, &options.diagnosis)?;
+    plan.expected = expected(&prepared, sigma_mm);
     plan.cannot = enabling_poses::untestable(&prepared, &plan.expected.not_testable);
     Ok(plan)
 }

@@ -50,7 +50,6 @@ mod covariance;
 mod decision;
 mod every_effect;
 mod exchange;
-mod field;
 mod first_measurement;
 mod imagined;
 mod information;

@@ -24,7 +24,6 @@ use super::comparison::{Comparison, ModelDistance, enough_for};
 use super::covariance::inverse;
 use super::every_effect::at_representative_settings;
 use super::exchange::choose;
-use super::field::Field;
 use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
 use super::named::Named;
 use super::needs::all_met;
@@ -40,9 +39,9 @@ pub struct Separation {
     /// The two.
     pub between: [Named; 2],
     /// Share of each that the other cannot imitate in the samples so far, 0 to 1 (squared).
-    pub left_before: [f64; 2],
+    pub left_before: Vec<f64>,
     /// The same with the poses measured too, 0 to 1.
-    pub left_after: [f64; 2],
+    pub left_after: Vec<f64>,
     /// Whether both are distinguished at the size at which they would just be detected.
     pub decided: bool,
     /// Why no pose does it; `None` where poses do.
@@ -56,8 +55,8 @@ impl Separation {
     fn none(between: [Named; 2], because: Text) -> Self {
         Self {
             between,
-            left_before: [0.0; 2],
-            left_after: [0.0; 2],
+            left_before: vec![0.0; 2],
+            left_after: vec![0.0; 2],
             decided: false,
             impossible: Some(because),
             poses: Vec::new(),
@@ -90,10 +89,14 @@ pub(crate) fn separate_two(
     let conditions = conditions(prepared, &shown);
     let (best, shares) = over_reflectors(prepared, |targets| {
         let offer = CandidatePoses::new(prepared, targets, &conditions);
-        attempt(prepared, offer, &base, &terms, most)
+        attempt(offer, &base, &terms, most)
     });
-    let left_before = shares.remaining[0];
-    if shares.possible < COPY {
+    let Shares {
+        possible,
+        left_before,
+        left_after,
+    } = shares;
+    if possible < COPY {
         let because = text!(
             "wherever they are measured, with a second reflector too, each looks like the other"
         );
@@ -110,10 +113,10 @@ pub(crate) fn separate_two(
     Separation {
         between,
         left_before,
-        left_after: shares.remaining[1],
+        left_after,
         decided: best.decides,
         impossible: None,
-        poses: best.poses(prepared, &why, most),
+        poses: best.poses(&why, most),
     }
 }
 
@@ -126,50 +129,44 @@ fn is(term: &Term, named: Named) -> bool {
 struct Shares {
     /// Of the worse of the two over everything that is offered.
     possible: f64,
-    /// Before and after.
-    remaining: [[f64; 2]; 2],
+    left_before: Vec<f64>,
+    left_after: Vec<f64>,
 }
 
-fn attempt(
-    prepared: &PreparedSearch,
-    candidates: CandidatePoses,
+fn attempt<'p>(
+    candidates: CandidatePoses<'p>,
     base: &Model,
     terms: &[Vec<Term>; 2],
     most: usize,
-) -> (Attempt, Shares) {
-    let field = Field::new(prepared, &candidates);
-    let mut shares = Shares {
-        possible: 1.0,
-        remaining: [[1.0; 2]; 2],
-    };
-    let (mut comparisons, mut pairs) = (Vec::new(), Vec::new());
-    for k in 0..2 {
-        // Of all settings the pair that is hardest to part.
+) -> (Attempt<'p>, Shares) {
+    // Of all settings the pair that is hardest to part.
+    let hardest = |k: usize| {
         let settings = terms[k].iter().flat_map(|one| {
             let others = terms[1 - k].iter();
             others.map(move |other| [one, other])
         });
-        let hardest = settings
-            .map(|two| Pair::new(&field, base, two))
-            .min_by(|a, b| a.possible.total_cmp(&b.possible));
-        if let Some(pair) = hardest {
-            shares.possible = shares.possible.min(pair.possible);
-            let (before, comparison) = pair.comparison(&field, base);
-            shares.remaining[0][k] = before;
-            comparisons.push(comparison);
-            pairs.push((k, pair));
-        }
-    }
+        settings
+            .map(|two| Pair::new(&candidates, base, two))
+            .min_by(|a, b| a.possible.total_cmp(&b.possible))
+    };
+    let pairs: Vec<Pair> = (0..2).filter_map(hardest).collect();
+    let compared = pairs.iter().map(|pair| pair.comparison(&candidates, base));
+    let (left_before, comparisons) = compared.unzip();
     let mut parting = ModelSeparation::new(comparisons, candidates.candidates.len(), 2);
     let order = choose(&mut parting, most);
-    for (k, pair) in &pairs {
+    let after = |pair: &Pair| {
         let mut all = pair.known.clone();
         pair.rows.add_to(&mut all, order.iter().copied());
-        shares.remaining[1][*k] = pair.worst(&all).0;
-    }
+        pair.worst(&all).0
+    };
+    let shares = Shares {
+        possible: pairs.iter().map(|p| p.possible).fold(1.0, f64::min),
+        left_before,
+        left_after: pairs.iter().map(after).collect(),
+    };
     let least = parting.distances().map(ModelDistance::share);
     let attempt = Attempt {
-        decides: !parting.comparisons.is_empty() && parting.parted(),
+        decides: parting.parted(),
         score: least.fold(1.0, f64::min),
         unparted: 0,
         order,
@@ -214,7 +211,7 @@ struct Pair {
 }
 
 impl Pair {
-    fn new(field: &Field, base: &Model, [one, other]: [&Term; 2]) -> Self {
+    fn new(offer: &CandidatePoses, base: &Model, [one, other]: [&Term; 2]) -> Self {
         let both = base.with_term(one.clone()).with_term(other.clone());
         let of = |wanted: &dyn Fn(&Term) -> bool| -> Vec<usize> {
             let columns = both.columns().enumerate();
@@ -223,13 +220,13 @@ impl Pair {
         };
         let rest = of(&|t| !t.same_column(one) && !t.same_column(other));
         let theirs = of(&|t| t.same_column(other) && !t.same_column(one));
-        let rows = field.rows(base, &both);
+        let rows = offer.rows(base, &both);
         let mut pair = Self {
             own: of(&|t| t.same_column(one)),
             given: rest.iter().chain(&theirs).copied().collect(),
             rest,
             terms: [one.clone(), other.clone()],
-            known: field.gram(&both),
+            known: offer.gram(&both),
             everywhere: rows.information(),
             rows,
             possible: 0.0,
@@ -240,7 +237,7 @@ impl Pair {
 
     /// The remaining share in the samples, and the one in the shape that the other imitates best, at the size at which
     /// it is just detected, against the other.
-    fn comparison(&self, field: &Field, base: &Model) -> (f64, Comparison) {
+    fn comparison(&self, offer: &CandidatePoses, base: &Model) -> (f64, Comparison) {
         let weak = &self.everywhere * (POSES_OF_AN_ARM as f64 / self.rows.len().max(1) as f64);
         let (before, mut direction) = self.worst(&self.known);
         let mut strength = self.strength(&self.known, &direction);
@@ -255,7 +252,7 @@ impl Pair {
             ..one
         });
         let (rival, enough) = (base.with_term(other), enough_for(odds::OPEN.nats(), 0.0));
-        let comparison = Comparison::from_the_start(field, [&truth, &rival], enough, 1.0);
+        let comparison = Comparison::from_the_start(offer, [&truth, &rival], enough, 1.0);
         (before, comparison)
     }
 

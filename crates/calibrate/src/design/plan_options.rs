@@ -49,24 +49,8 @@ pub struct PlanOptions {
 /// Why there is no plan.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlanError {
-    /// A robot, an option, or options together, that make no sense.
+    /// A robot, an option, or options together, that make no sense or ask for what no poses do.
     Option(Text),
-    /// An accuracy that no number of poses reaches.
-    OutOfReach {
-        /// What was asked for, mm.
-        wanted: f64,
-        /// What most poses reach, mm.
-        reached: f64,
-    },
-    /// No pose can be measured.
-    Unseen,
-    /// A joint that is not there, or not a number.
-    Joint {
-        /// What was given.
-        input: String,
-        /// Number of joints.
-        joints: usize,
-    },
     /// The diagnosis failed.
     Diagnose(DiagnoseError),
 }
@@ -76,23 +60,6 @@ impl PlanError {
     pub fn describe(&self) -> Text {
         match self {
             Self::Option(text) => text.clone(),
-            Self::OutOfReach { wanted, reached } => text!(
-                "--accuracy {wanted}: {most} poses are expected to leave {reached} mm (95th percentile over the joint ranges); expected a larger value, or a smaller --sigma",
-                wanted,
-                most = MOST,
-                reached = format!("{:.4}", reached)
-            ),
-            Self::Unseen => text!(
-                "no pose within the joint limits can be measured: none is seen from where the instrument stands, or brings the target to where it is held; expected limits, a place or a cone that leave some"
-            ),
-            Self::Joint {
-                input: given,
-                joints,
-            } => text!(
-                "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1",
-                given,
-                joints
-            ),
             Self::Diagnose(inner) => inner.describe(),
         }
     }
@@ -225,9 +192,12 @@ impl PlanOptions {
                 .ok_or_else(|| DiagnoseError::UnknownEffect(id.to_owned()))?;
             let number = joint.parse::<usize>().ok();
             let joint = number.filter(|j| (1..=joints).contains(j));
-            let wrong = || PlanError::Joint {
-                input: given.clone(),
-                joints,
+            let wrong = || {
+                PlanError::Option(text!(
+                    "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1",
+                    given,
+                    joints
+                ))
             };
             Ok(Named {
                 id: effect,
@@ -245,6 +215,3 @@ impl PlanOptions {
         Ok(Some([one, other]))
     }
 }
-
-/// A wanted accuracy is looked for up to so many poses.
-pub(crate) const MOST: usize = 400;
