@@ -8,7 +8,7 @@ use nalgebra::Point3;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use crate::design::{PlanError, PlanOptions};
+use crate::design::PlanOptions;
 use crate::diagnosis::Options;
 use crate::explain::{self, Detail};
 use crate::pipeline::{self, measuring_list, measuring_program};
@@ -75,15 +75,6 @@ pub(crate) struct Plan {
     /// Print JSON (truepose-plan/1)
     #[arg(long)]
     json: bool,
-}
-
-impl From<PlanError> for Failure {
-    fn from(error: PlanError) -> Self {
-        match error {
-            PlanError::Diagnose(error) => error.into(),
-            PlanError::Option(text) => Self::refused(text),
-        }
-    }
 }
 
 impl Plan {

@@ -11,7 +11,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::candidate::{Candidate, Writing, anywhere, ranges};
-use super::imagined::{extend, extended, unmeasured};
+use super::imagined::{extended, unmeasured, with_candidates};
 use super::line_of_sight::seen;
 use super::measuring_methods::{MeasuringMethod, ways};
 use super::needs::test_load_kg;
@@ -23,7 +23,6 @@ use crate::fit::problem::Problem;
 use crate::kinematics::{Range, Robot};
 use crate::model::Model;
 use crate::sessions::{Instrument, Session, Sigma, Target};
-use crate::text::Text;
 
 /// Candidates of a round.
 pub(super) const CANDIDATES: usize = 900;
@@ -242,11 +241,7 @@ impl Arm {
 
     /// The session with these poses measured too.
     pub(crate) fn with(&self, candidates: &[Candidate], varied: bool) -> Session {
-        let writing = self.writing(varied);
-        let poses = candidates.iter().map(|c| writing.pose(c, Text::default()));
-        let like: Vec<_> = candidates.iter().map(|c| self.ways[c.way].like).collect();
-        let mut whole = self.session.clone();
-        extend(&mut whole, &self.base, &poses.collect::<Vec<_>>(), &like);
-        whole
+        let (session, writing) = (&self.session, &self.writing(varied));
+        with_candidates(session, &self.base, candidates, &self.ways, writing)
     }
 }

@@ -6,7 +6,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 use super::candidate::{Arrival, Candidate, Writing, anywhere, at, inputs, ranges, usual_speed};
-use super::imagined::{LATER_S, alone};
+use super::imagined::{LATER_S, with_candidates};
 use super::measuring_methods::{MeasuringMethod, last_setup, ways};
 use super::rows::Rows;
 use crate::diagnosis::NextPose;
@@ -131,10 +131,11 @@ impl<'p> CandidatePoses<'p> {
             taken: None,
         };
         if problem.observed.is_some() {
-            let (writing, own) = (all.writing(), all.candidates.iter());
-            let poses = own.clone().map(|c| writing.pose(c, Text::default()));
-            let like: Vec<_> = own.map(|c| all.ways[c.way].like).collect();
-            all.taken = Some(alone(session, base, &poses.collect::<Vec<_>>(), &like));
+            let own = &all.candidates;
+            let mut taken = with_candidates(session, base, own, &all.ways, &all.writing());
+            let new = session.samples.len()..taken.samples.len();
+            taken.samples.select(&new.map(Some).collect::<Vec<_>>());
+            all.taken = Some(taken);
         }
         all
     }

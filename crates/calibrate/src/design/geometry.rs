@@ -4,7 +4,7 @@ use super::arm::Arm;
 use super::candidate::Candidate;
 use super::candidate_set::CandidateSet;
 use super::forecast::{ExpectedError, Forecast};
-use super::plan_options::PlanError;
+use crate::diagnosis::DiagnoseError;
 
 /// The expected error is stated for so many poses.
 const CURVE: [usize; 4] = [20, 30, 50, 100];
@@ -35,9 +35,9 @@ pub(crate) fn best(
     arm: &Arm,
     poses: usize,
     accuracy_mm: Option<f64>,
-) -> Result<(Vec<Candidate>, Geometry), PlanError> {
+) -> Result<(Vec<Candidate>, Geometry), DiagnoseError> {
     let unseen = || {
-        PlanError::Option(text!(
+        DiagnoseError::Option(text!(
             "no pose within the joint limits can be measured: none is seen from where the instrument stands, or brings the target to where it is held; expected limits, a place or a cone that leave some"
         ))
     };
@@ -64,7 +64,7 @@ pub(crate) fn best(
 
 /// The smallest number of poses that reaches an accuracy: greedily first, then with fewer that are
 /// exchanged.
-fn enough(set: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
+fn enough(set: &CandidateSet, wanted: f64) -> Result<usize, DiagnoseError> {
     let reached = |error: &ExpectedError| error.p95_mm <= wanted;
     if reached(&set.forecast(&[]).error) {
         return Ok(0);
@@ -73,7 +73,7 @@ fn enough(set: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
     let reached_at = trace.iter().position(reached);
     let at = reached_at.ok_or_else(|| {
         let reached = trace.last().map_or(f64::INFINITY, |e| e.p95_mm);
-        PlanError::Option(text!(
+        DiagnoseError::Option(text!(
             "--accuracy {wanted}: {most} poses are expected to leave {reached} mm (95th percentile over the joint ranges); expected a larger value, or a smaller --sigma",
             wanted,
             most = MOST,

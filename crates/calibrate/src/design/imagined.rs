@@ -9,6 +9,8 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::candidate::{Candidate, Writing};
+use super::measuring_methods::MeasuringMethod;
 use super::rows::Rows;
 use crate::diagnosis::NextPose;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
@@ -20,6 +22,7 @@ use crate::model::Model;
 use crate::observations::streams::predictions;
 use crate::observations::{KINDS, Layer, Seen};
 use crate::sessions::{Instrument, Samples, Session, Sigma, Target};
+use crate::text::Text;
 
 /// New poses are measured so long after the last one, s, and one takes so long.
 pub(crate) const LATER_S: f64 = 60.0;
@@ -79,17 +82,18 @@ pub(crate) fn extended(
     all
 }
 
-/// These poses alone, each measured like that sample of a session.
-pub(crate) fn alone(
+/// A session with these candidates measured too, each in its way and written down like this.
+pub(crate) fn with_candidates(
     session: &Session,
     model: &Model,
-    poses: &[NextPose],
-    like: &[Option<usize>],
+    candidates: &[Candidate],
+    ways: &[MeasuringMethod],
+    writing: &Writing,
 ) -> Session {
+    let poses = candidates.iter().map(|c| writing.pose(c, Text::default()));
+    let like: Vec<_> = candidates.iter().map(|c| ways[c.way].like).collect();
     let mut all = session.clone();
-    extend(&mut all, model, poses, like);
-    let new = session.samples.len()..all.samples.len();
-    all.samples.select(&new.map(Some).collect::<Vec<_>>());
+    extend(&mut all, model, &poses.collect::<Vec<_>>(), &like);
     all
 }
 
@@ -101,7 +105,7 @@ fn target_of(targets: &[Target], pose: &NextPose) -> u32 {
 }
 
 /// Adds samples at these poses, each measured like that one; like none: a point.
-pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like: &[Option<usize>]) {
+fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like: &[Option<usize>]) {
     let n = all.samples.len();
     let targets = &all.targets;
     let samples = &mut all.samples;

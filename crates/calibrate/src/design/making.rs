@@ -37,7 +37,7 @@ use super::imagined::{extended, unmeasured, with_noise};
 use super::needs::{Untestable, test_load_kg};
 use super::pair_separation::{Separation, separate_two};
 use super::plan::{Plan, Subject, USUAL_SIGMA_MM};
-use super::plan_options::{PlanError, PlanOptions};
+use super::plan_options::PlanOptions;
 use super::reflectors::reflectors;
 use super::{enabling_poses, next_poses};
 
@@ -54,12 +54,12 @@ pub fn plan_session(
     session: &Session,
     options: &PlanOptions,
     watch: Watch,
-) -> Result<Plan, PlanError> {
+) -> Result<Plan, DiagnoseError> {
     options.check(&session.robot)?;
-    let session = &*session.whole().map_err(DiagnoseError::from)?;
+    let session = &*session.whole()?;
     let between = options.between(&session.robot)?;
     let arm = session.robot.joints.len() > 1;
-    let corrected = checked(session, &options.diagnosis, watch).map_err(DiagnoseError::from)?;
+    let corrected = checked(session, &options.diagnosis, watch)?;
     let session: &Session = &corrected.session;
     let (robot, targets) = (&session.robot, &session.targets);
     let mut plan = Plan::empty(Subject::Session, &session.name, robot, targets);
@@ -165,7 +165,7 @@ fn add_geometry(
     plan: &mut Plan,
     session: &Session,
     options: &PlanOptions,
-) -> Result<(), PlanError> {
+) -> Result<(), DiagnoseError> {
     let room = options.poses.map(|n| n - plan.poses.len());
     let arm = Arm::of_session(session, options)?.with_planned(&plan.poses);
     let wanted = room.unwrap_or(POSES_IN_ADDITION);
@@ -179,7 +179,7 @@ fn add_geometry(
 ///
 /// # Errors
 /// If an option makes no sense.
-pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanError> {
+pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, DiagnoseError> {
     options.check(robot)?;
     let between = options.between(robot)?;
     let sigma_mm = options.sigma_mm.unwrap_or(USUAL_SIGMA_MM);
@@ -234,7 +234,7 @@ fn first_poses(
     }: &Plan,
     count: usize,
     options: &PlanOptions,
-) -> Result<(Vec<NextPose>, Option<Geometry>), PlanError> {
+) -> Result<(Vec<NextPose>, Option<Geometry>), DiagnoseError> {
     if robot.joints.len() > 1 {
         let arm = Arm::of_robot(robot, targets, *sigma_mm, options);
         let (poses, geometry) = geometry::best(&arm, count, options.accuracy_mm)?;

@@ -71,4 +71,4 @@ pub use named::Named;
 pub use needs::{Need, Untestable};
 pub use pair_separation::Separation;
 pub use plan::{Plan, Subject};
-pub use plan_options::{PlanError, PlanOptions};
+pub use plan_options::PlanOptions;

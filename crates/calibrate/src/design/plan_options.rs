@@ -1,4 +1,4 @@
-//! The options of a plan, and why there is none.
+//! The options of a plan.
 
 use nalgebra::Point3;
 use std::f64::consts::PI;
@@ -46,47 +46,18 @@ pub struct PlanOptions {
     pub diagnosis: Options,
 }
 
-/// Why there is no plan.
-#[derive(Debug, Clone, PartialEq)]
-pub enum PlanError {
-    /// A robot, an option, or options together, that make no sense or ask for what no poses do.
-    Option(Text),
-    /// The diagnosis failed.
-    Diagnose(DiagnoseError),
-}
-
-impl PlanError {
-    /// In words.
-    pub fn describe(&self) -> Text {
-        match self {
-            Self::Option(text) => text.clone(),
-            Self::Diagnose(inner) => inner.describe(),
-        }
-    }
-}
-
-displays_what_it_says!(PlanError);
-
-impl std::error::Error for PlanError {}
-
-impl From<DiagnoseError> for PlanError {
-    fn from(error: DiagnoseError) -> Self {
-        Self::Diagnose(error)
-    }
-}
-
 impl PlanOptions {
     /// Whether the options make sense for this robot, and a plan for it comes to an end.
-    pub(crate) fn check(&self, robot: &Robot) -> Result<(), PlanError> {
+    pub(crate) fn check(&self, robot: &Robot) -> Result<(), DiagnoseError> {
         let problem = self.problem();
         if let Some(text) = problem.or_else(|| self.not_for(robot)) {
-            return Err(PlanError::Option(text));
+            return Err(DiagnoseError::Option(text));
         }
         let is_place = |p: &Point3<f64>| p.iter().all(|x| x.abs() <= LARGEST_LENGTH_MM);
         let refused = |field: &'static str, found: Text, expected: Text| {
             let place = Place::default().in_field(field);
             let wrong = Diagnostic::error(place, found, expected);
-            Err(DiagnoseError::from(Rejected::because(wrong)).into())
+            Err(Rejected::because(wrong).into())
         };
         if !self.instrument_mm.as_ref().is_none_or(is_place) {
             let found = text!("a position that is not finite or too large");
@@ -103,7 +74,7 @@ impl PlanOptions {
         }
         match robot.out_of_range(&Place::default()) {
             problems if problems.is_empty() => Ok(()),
-            problems => Err(DiagnoseError::from(Rejected::of(problems)).into()),
+            problems => Err(Rejected::of(problems).into()),
         }
     }
 
@@ -178,12 +149,12 @@ impl PlanOptions {
     }
 
     /// The two effects, found in the catalogue.
-    pub(crate) fn between(&self, robot: &Robot) -> Result<Option<[Named; 2]>, PlanError> {
+    pub(crate) fn between(&self, robot: &Robot) -> Result<Option<[Named; 2]>, DiagnoseError> {
         let joints = robot.joints.len();
         let Some(two) = &self.separate else {
             return Ok(None);
         };
-        let named = |given: &String| -> Result<Named, PlanError> {
+        let named = |given: &String| -> Result<Named, DiagnoseError> {
             let (id, joint) = given.split_once(':').unwrap_or((given, "1"));
             let in_catalogue = crate::effects::CATALOGUE.iter();
             let effect = in_catalogue
@@ -193,7 +164,7 @@ impl PlanOptions {
             let number = joint.parse::<usize>().ok();
             let joint = number.filter(|j| (1..=joints).contains(j));
             let wrong = || {
-                PlanError::Option(text!(
+                DiagnoseError::Option(text!(
                     "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1",
                     given,
                     joints
@@ -206,7 +177,7 @@ impl PlanOptions {
         };
         let [one, other] = [named(&two[0])?, named(&two[1])?];
         if one == other {
-            return Err(PlanError::Option(text!(
+            return Err(DiagnoseError::Option(text!(
                 "--separate {one},{other}: expected two different effects",
                 one = &two[0],
                 other = &two[0]

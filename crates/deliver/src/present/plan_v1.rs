@@ -108,8 +108,8 @@ fn separation(separation: &Separation) -> Json {
         "possible": separation.impossible.is_none(),
         "because": separation.impossible.as_ref(),
         "decided": separation.decided,
-        "share_left_before": separation.left_before,
-        "share_left_after": separation.left_after,
+        "share_left_before": &separation.left_before[..],
+        "share_left_after": &separation.left_after[..],
     }
 }
 
