@@ -137,9 +137,7 @@ impl Plan {
             output::text(&blocks::sections(&explain::plan(&plan, Detail::TERMINAL)))
         }
     }
-}
 
-impl Plan {
     /// The language of what is written.
     fn language<'s>(&'s self, out: &Path) -> &'s str {
         let by_name = || language_of(out, b"").map(|language| language.id);

@@ -71,7 +71,7 @@ impl Conditions {
 
 /// The candidates for a session: its reflectors and perhaps one more, under all conditions.
 pub(crate) struct CandidatePoses<'p> {
-    problem: &'p Problem<'p>,
+    pub(crate) problem: &'p Problem<'p>,
     pub(crate) regression: &'p Regression<'p>,
     /// The ways in which the session measures where that is not points alone: every candidate is measured
     /// in one of them.

@@ -187,12 +187,11 @@ fn information(arm: &Arm, candidates: &[Candidate], [poses, stretches]: [usize; 
     });
     let all = arm.base.terms().iter().chain(effects).cloned().collect();
     let model = Model::new(arm.session.robot.clone(), all);
-    let columns = free(&model);
-    let (rows, prior) = shown(&whole, &model, &columns);
-    let mut known = arm.prior_information(&model, &columns);
-    let of_effect: Vec<bool> = model.columns().map(|(term, _)| !of_base(term)).collect();
+    let (rows, prior) = shown(&whole, &model);
+    let mut known = arm.prior_information(&model);
     let squares = rows.squares();
-    for (to, _) in columns.iter().enumerate().filter(|own| of_effect[*own.1]) {
+    let of_effects = free(&model).enumerate();
+    for (to, _) in of_effects.filter(|(_, (_, term, _))| !of_base(term)) {
         let mean = squares[to] / rows.difference.len().max(1) as f64;
         known[(to, to)] = if mean > 0.0 {
             mean / (WIDEST * WIDEST)

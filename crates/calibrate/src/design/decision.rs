@@ -58,7 +58,6 @@ struct Truth {
     index: usize,
     /// Deviations of the parameters by draws.
     parameters: DMatrix<f64>,
-    first: usize,
 }
 
 pub(crate) struct Decision {
@@ -90,7 +89,6 @@ impl Decision {
                 truths.push(Truth {
                     index,
                     parameters: drawn(&gram, &own, &mut random),
-                    first: truths.len() * budget::DRAWS,
                 });
             }
             rows.push(Arc::new(own));
@@ -129,7 +127,7 @@ impl Decision {
         let (first, size) = comparisons[0].rows().place(candidate);
         // Measured values are relative to the first explanation.
         let mut measured = DMatrix::zeros(size, self.truths.len() * budget::DRAWS);
-        for truth in &self.truths {
+        for (k, truth) in self.truths.iter().enumerate() {
             let rows = comparisons[truth.index].rows();
             let mut block = rows.of(candidate).tr_mul(&truth.parameters);
             let difference = rows.difference.rows(first, size);
@@ -137,7 +135,7 @@ impl Decision {
                 .column_iter_mut()
                 .for_each(|mut own| own -= difference);
             measured
-                .columns_mut(truth.first, budget::DRAWS)
+                .columns_mut(k * budget::DRAWS, budget::DRAWS)
                 .copy_from(&block);
         }
         let random = &mut self.random;
@@ -162,14 +160,14 @@ impl Decision {
             let risen = comparisons[index].risen[draw];
             before - 0.5 * rows * (rss + risen).max(1e-300).ln()
         };
-        let of = |truth: &Truth| {
+        let of = |(t, truth): (usize, &Truth)| {
             DMatrix::from_fn(comparisons.len(), budget::DRAWS, |other, k| {
-                let draw = truth.first + k;
+                let draw = t * budget::DRAWS + k;
                 let lead = evidence(truth.index, draw) - evidence(other, draw);
                 u8::from(!self.differ[truth.index][other] || lead >= odds::OPEN.nats())
             })
         };
-        self.truths.iter().map(of).collect()
+        self.truths.iter().enumerate().map(of).collect()
     }
 
     /// The probability that the poses so far decide, whichever explanation is true.

@@ -15,7 +15,7 @@ use crate::effects::{Effect, Term, called, find};
 use crate::model::Model;
 use crate::numeric::extent;
 use crate::sessions::Samples;
-use crate::text::{Template, Text};
+use crate::text::Text;
 use crate::{budget, odds};
 
 use super::candidate::Candidate;
@@ -26,7 +26,7 @@ use super::every_effect::at_representative_settings;
 use super::exchange::choose;
 use super::model_separation::ModelSeparation;
 use super::needs::{Need, Untestable, WARMING_C, lacks, test_load_kg};
-use super::reflectors::with_another;
+use super::reflectors::other_reflectors;
 
 /// An effect whose projection orthogonal to the base model has this share (squared) over all candidates is determined
 /// by them.
@@ -92,7 +92,11 @@ fn offer_for<'p>(
     let session = prepared.problem.session;
     let mut targets = session.targets.clone();
     if needs.contains(&Need::Reflector) && prepared.problem.observed.is_none() {
-        targets = with_another(&session.robot, targets);
+        targets.extend(
+            other_reflectors(&session.robot, &targets)
+                .into_iter()
+                .next(),
+        );
     }
     let mut conditions = Conditions::after(prepared);
     if needs.contains(&Need::Speeds) {
@@ -153,33 +157,29 @@ pub(crate) fn worth_enabling(
     };
     let mut untestable = untestable(prepared, not_testable);
     untestable.retain(|l| l.needs.iter().all(cheap));
-    enable(prepared, fit, &untestable, None, MOST_IN_ADDITION, false)
+    enable(prepared, fit, &untestable, None, MOST_IN_ADDITION)
 }
 
 /// The remaining share of the session's information where it does not state the condition under which it was measured.
 const WEAK: f64 = 0.02;
 
-/// At most `most` poses that make testable what poses can make testable. Where `reflector` is false nothing has
-/// to be mounted.
+/// At most `most` poses that make testable what poses can make testable.
 pub(crate) fn enable(
     prepared: &PreparedSearch,
     fit: &Fit,
     untestable: &[Untestable],
     load_kg: Option<f64>,
     most: usize,
-    reflector: bool,
 ) -> Vec<NextPose> {
     let wanted: Vec<&Untestable> = untestable
         .iter()
         .filter(|l| !l.needs.is_empty() && l.needs.iter().all(|n| n.by_poses()))
-        .filter(|l| reflector || !l.needs.contains(&Need::Reflector))
         .collect();
     if wanted.is_empty() || most == 0 {
         return Vec::new();
     }
-    let samples = &prepared.problem.session.samples;
     let offer = offer_for(prepared, &needs_of(&wanted, |_| true), load_kg);
-    let comparisons = comparisons(&offer, samples, &fit.model, &wanted);
+    let comparisons = comparisons(&offer, &fit.model, &wanted);
     let fresh = comparisons.clone();
     let mut parting = ModelSeparation::new(comparisons, offer.candidates.len(), 1);
     let mut order = choose(&mut parting, most);
@@ -221,12 +221,7 @@ fn needs_of(wanted: &[&Untestable], matters: impl Fn(&Need) -> bool) -> Vec<Need
 }
 
 /// Each effect against the model and the effects that are enabled with it, which have to be distinguished as well.
-fn comparisons(
-    offer: &CandidatePoses,
-    samples: &Samples,
-    model: &Model,
-    wanted: &[&Untestable],
-) -> Vec<Comparison> {
+fn comparisons(offer: &CandidatePoses, model: &Model, wanted: &[&Untestable]) -> Vec<Comparison> {
     let term = |one: &&Untestable| {
         let effect = find(one.effect)?;
         Some(small(offer, model, effect, one.joint.unwrap_or(0)))
@@ -237,6 +232,7 @@ fn comparisons(
         let rival = others.fold(model.clone(), |model, t| {
             model.with_term(Term::absent(t.effect, t.joint, t.setting))
         });
+        let samples = &offer.problem.session.samples;
         let unstated = one.needs.iter().any(|need| !is_stated(*need, samples));
         let weight = if unstated { WEAK } else { 1.0 };
         // The effect was there already; the samples so far could not show it.
@@ -270,10 +266,7 @@ fn words(shown: &[&Untestable], choice: &Candidate) -> Text {
         Need::Reflector => choice.target > 0,
         _ => true,
     };
-    let needs: Vec<Template> = needs_of(shown, matters)
-        .iter()
-        .map(|n| n.describe())
-        .collect();
+    let needs = needs_of(shown, matters);
     let mut names: Vec<&str> = shown.iter().map(|l| l.effect).collect();
     names.dedup();
     let more = names.len().saturating_sub(budget::LIKELIEST);
@@ -281,7 +274,7 @@ fn words(shown: &[&Untestable], choice: &Candidate) -> Text {
     let how = if needs.is_empty() {
         text!("what the others are compared with")
     } else {
-        Text::listed(needs, "; ")
+        Text::listed(needs.iter().map(|need| need.describe()), "; ")
     };
     let effects = Text::listed(names.into_iter().map(called), ", ");
     if more > 0 {

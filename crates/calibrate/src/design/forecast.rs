@@ -12,8 +12,8 @@
 
 use nalgebra::DMatrix;
 
+use super::candidate_set::free;
 use super::rows::Rows;
-use crate::effects::Term;
 use crate::fit::problem::Problem;
 use crate::fit::ranges::over_the_ranges;
 use crate::model::Model;
@@ -50,44 +50,25 @@ pub(crate) struct Workspace {
     shown: usize,
 }
 
-/// Whether a coefficient is an angle.
-pub(super) fn turns(model: &Model, term: &Term, coefficient: usize) -> bool {
-    let kind = model.robot.joints[term.joint].kind;
-    term.effect.about().form.turns(coefficient, kind)
-}
-
-/// A number of each of some coefficients of a model.
-pub(super) fn of_columns(
-    model: &Model,
-    columns: &[usize],
-    of: impl Fn(&Term, usize) -> f64,
-) -> Vec<f64> {
-    let all: Vec<f64> = model.columns().map(|(term, k)| of(term, k)).collect();
-    columns.iter().map(|column| all[*column]).collect()
-}
-
 impl Workspace {
     /// `everything` is the information of all that can be measured.
-    pub(crate) fn new(
-        problem: &Problem,
-        model: &Model,
-        columns: &[usize],
-        everything: &DMatrix<f64>,
-    ) -> Self {
+    pub(crate) fn new(problem: &Problem, model: &Model, everything: &DMatrix<f64>) -> Self {
         let inputs = over_the_ranges(problem);
         let all = Rows::of_points([model; 2], &inputs, &[0, 1, 2], [1.0; 3]);
         let reach = model.robot.longest_lever_mm();
-        let step = |term: &Term, k: usize| {
-            if turns(model, term, k) {
+        let steps = free(model).map(|(_, term, k)| {
+            let kind = model.robot.joints[term.joint].kind;
+            if term.effect.about().form.turns(k, kind) {
                 1.0 / reach
             } else {
                 1.0
             }
-        };
+        });
+        let columns: Vec<usize> = free(model).map(|own| own.0).collect();
         let sigma = KINDS[0].sigma(&problem.session.instrument);
         let mut workspace = Self {
-            rows: all.only(columns),
-            steps: of_columns(model, columns, step),
+            rows: all.only(&columns),
+            steps: steps.collect(),
             unit_mm: sigma.unwrap_or(KINDS[0].about().usual_sigma),
             shown: 0,
         };

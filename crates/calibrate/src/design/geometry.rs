@@ -1,10 +1,10 @@
 //! How well a number of poses determines the geometry of a robot with several joints.
 
 use super::arm::Arm;
-use super::candidate::Candidate;
 use super::candidate_set::CandidateSet;
+use super::conditions::conditioned;
 use super::forecast::{ExpectedError, Forecast};
-use crate::diagnosis::DiagnoseError;
+use crate::diagnosis::{DiagnoseError, NextPose};
 
 /// The expected error is stated for so many poses.
 const CURVE: [usize; 4] = [20, 30, 50, 100];
@@ -29,13 +29,13 @@ pub struct Geometry {
     pub enough: Option<(f64, usize)>,
 }
 
-/// Poses that show the geometry best, in no order, and what they do: so many, or as many as bring the 95th
-/// percentile of the expected error below an accuracy.
+/// Poses that show the geometry best, under conditions that show the effects, and what they do: so many, or as many as
+/// bring the 95th percentile of the expected error below an accuracy.
 pub(crate) fn best(
     arm: &Arm,
     poses: usize,
     accuracy_mm: Option<f64>,
-) -> Result<(Vec<Candidate>, Geometry), DiagnoseError> {
+) -> Result<(Vec<NextPose>, Geometry), DiagnoseError> {
     let unseen = || {
         DiagnoseError::Option(text!(
             "no pose within the joint limits can be measured: none is seen from where the instrument stands, or brings the target to where it is held; expected limits, a place or a cone that leave some"
@@ -59,7 +59,7 @@ pub(crate) fn best(
         curve: curve.collect(),
         enough: accuracy_mm.map(|mm| (mm, count)),
     };
-    Ok((end.candidates, geometry))
+    Ok((conditioned(arm, &end.candidates), geometry))
 }
 
 /// The smallest number of poses that reaches an accuracy: greedily first, then with fewer that are

@@ -10,6 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::candidate::{Candidate, Writing};
+use super::candidate_set::free;
 use super::measuring_methods::MeasuringMethod;
 use super::rows::Rows;
 use crate::diagnosis::NextPose;
@@ -231,14 +232,11 @@ pub(crate) fn with_noise(mut session: Session, sigma_mm: f64, seed: u64) -> Sess
     session
 }
 
-/// The information of every sample to be fitted on some coefficients of a model, and that of the priors.
-pub(crate) fn shown(
-    session: &Session,
-    model: &Model,
-    coefficients: &[usize],
-) -> (Rows, DMatrix<f64>) {
+/// The information of every sample to be fitted on the free coefficients of a model, and that of the priors.
+pub(crate) fn shown(session: &Session, model: &Model) -> (Rows, DMatrix<f64>) {
+    let own: Vec<usize> = free(model).map(|own| own.0).collect();
     let layer = Layer::at(session, &Inputs::new(session, JointValues::Commanded));
     let (rows, prior) = Rows::of_layer(&layer, model, [layer.unit_mm; 3]);
-    let prior = prior.select_rows(coefficients).select_columns(coefficients);
-    (rows.only(coefficients), prior)
+    let prior = prior.select_rows(&own).select_columns(&own);
+    (rows.only(&own), prior)
 }

@@ -25,62 +25,47 @@ struct SightPose {
     faces: Vector3<f64>,
 }
 
-/// Which candidates are visible from the instruments that measure them.
-pub(super) fn seen(arm: &Arm, candidates: &[Candidate]) -> Vec<bool> {
-    let visible = |(pose, candidate): (&SightPose, &Candidate)| {
-        let faces = |from| arm.cone_rad.is_none_or(|cone| pose.faces(from, cone));
-        let from = arm.ways[candidate.way].from.as_ref();
-        from.is_none_or(|from| pose.lit(from) && faces(from))
-    };
-    let posed = posed(arm, candidates);
-    posed.iter().zip(candidates).map(visible).collect()
+/// Whether the instrument that measures a candidate sees its target.
+pub(super) fn seen(arm: &Arm, candidate: &Candidate) -> bool {
+    arm.ways[candidate.way].from.is_none_or(|from| {
+        let pose = posed(arm, candidate);
+        pose.lit(&from) && arm.cone_rad.is_none_or(|cone| pose.faces(&from, cone))
+    })
 }
 
 /// Where joints and targets are, as the model has them: a point of a joint's axis moves with the joints
 /// before it alone.
-fn posed(Arm { session, base, .. }: &Arm, candidates: &[Candidate]) -> Vec<SightPose> {
+fn posed(Arm { session, base, .. }: &Arm, Candidate { q, target, .. }: &Candidate) -> SightPose {
     let robot = &session.robot;
     let n = robot.joints.len();
     let home = |p: &Point3<f64>| <[f64; 3]>::from((robot.base_from_tool * p).coords);
-    let mut at_home: Vec<[f64; 3]> = robot
-        .joints
-        .iter()
-        .map(|j| j.axis.point_mm.coords.into())
-        .collect();
+    let axes = robot.joints.iter().map(|j| j.axis.point_mm.coords.into());
+    let mut at_home: Vec<[f64; 3]> = axes.collect();
     at_home.extend([home(&Point3::origin()), home(&Point3::new(0.0, 0.0, 1.0))]);
     at_home.extend(session.targets.iter().map(|t| home(&t.position_mm)));
-    // For each pose its joints one by one, the tool's origin, a point along its z, and the target.
-    let per = n + 3;
+    // Its joints one by one, the tool's origin, a point along its z, and the target.
     let column = |j: usize| {
-        let rows = candidates
-            .iter()
-            .flat_map(|c| (0..per).map(move |row| if row > j || row >= n { c.q[j] } else { 0.0 }));
-        rows.collect::<Vec<f64>>()
+        (0..n + 3)
+            .map(|row| if row > j { q[j] } else { 0.0 })
+            .collect()
     };
     let mut inputs = Inputs::at_poses((0..n).map(column).collect(), at_home);
-    let last = per as u32 - 1;
-    let points = candidates
-        .iter()
-        .flat_map(|c| (0..last).chain([last + c.target]));
-    inputs.target = Some(points.collect());
-    inputs.setup = last_setup(session).map(|last| vec![last; per * candidates.len()]);
+    let last = n as u32 + 2;
+    inputs.target = Some((0..last).chain([last + target]).collect());
+    inputs.setup = last_setup(session).map(|last| vec![last; n + 3]);
     let all = base.predict(&inputs);
     let at = |row: usize| Point3::from(all.get(row));
-    let one = |k: usize| {
-        let first = k * per;
-        let (origin, target) = (at(first + n), at(first + n + 2));
-        let out = target - origin;
-        SightPose {
-            joints: (first..first + n).map(at).collect(),
-            target,
-            faces: if out.norm() > 1.0 {
-                out
-            } else {
-                at(first + n + 1) - origin
-            },
-        }
-    };
-    (0..candidates.len()).map(one).collect()
+    let (origin, target) = (at(n), at(n + 2));
+    let out = target - origin;
+    SightPose {
+        joints: (0..n).map(at).collect(),
+        target,
+        faces: if out.norm() > 1.0 {
+            out
+        } else {
+            at(n + 1) - origin
+        },
+    }
 }
 
 impl SightPose {

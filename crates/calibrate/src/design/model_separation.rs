@@ -3,7 +3,6 @@
 
 use crate::diagnosis::NextPose;
 use crate::diagnosis::search::prepare::PreparedSearch;
-use crate::effects::survey::JointSurvey;
 use crate::kinematics::{Joint, JointKind};
 use crate::sessions::Target;
 use crate::text::Text;
@@ -142,12 +141,9 @@ pub(crate) fn over_reflectors<'p, T>(
 ) -> (Attempt<'p>, T) {
     let session = prepared.problem.session;
     let mut best = attempt(session.targets.clone());
-    let turns = |j: &JointSurvey| j.kind == JointKind::Revolute;
     // Another reflector is offered where points are measured: to an anchor or a socket it is another
     // machine.
-    let points = prepared.problem.observed.is_none();
-    let fixed = !points || session.targets.len() > 1 || !prepared.survey.joints.iter().any(turns);
-    if best.0.decides || fixed {
+    if best.0.decides || prepared.problem.observed.is_some() {
         return best;
     }
     for other in other_reflectors(&session.robot, &session.targets) {

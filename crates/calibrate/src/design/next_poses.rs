@@ -121,25 +121,20 @@ fn competing(prepared: &PreparedSearch, fit: &Fit, open: &[&Rival]) -> Vec<Expla
     let regression = &prepared.regression;
     let many = regression.added(fit).len() > MANY_NAMES;
     let most = if many { budget::LISTED } else { MOST_COMPETING };
+    let own = || [fit].into_iter().chain(open.iter().map(|rival| &rival.fit));
+    let near = own().take(1 + budget::LIKELIEST);
+    let near = near.flat_map(|one| aliases::rivals(regression, one));
+    let near = near
+        .filter(Rival::other_names)
+        .map(|near| (near.fit, false));
     let mut all: Vec<Explanation> = Vec::new();
-    let mut join = |fit: &Fit, open: bool| {
-        if all.len() < most && !all.iter().any(|a| same_terms(&a.fit, fit)) {
-            let fit = fit.clone();
+    for (fit, open) in own().map(|fit| (fit.clone(), true)).chain(near) {
+        if !all.iter().any(|a| same_terms(&a.fit, &fit)) {
             all.push(Explanation { fit, open });
         }
-        all.len() < most
-    };
-    let fits = || open.iter().map(|rival| &rival.fit);
-    let mut room = join(fit, true);
-    fits().for_each(|rival| room = join(rival, true));
-    for one in [fit].into_iter().chain(fits().take(budget::LIKELIEST)) {
-        if !room {
+        // More are not even looked for.
+        if all.len() == most {
             break;
-        }
-        for near in aliases::rivals(regression, one) {
-            if near.other_names() {
-                room = join(&near.fit, false);
-            }
         }
     }
     all

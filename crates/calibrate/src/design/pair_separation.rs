@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::diagnosis::NextPose;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::prepare::PreparedSearch;
-use crate::effects::{Term, called, find};
+use crate::effects::{Effect, Term, called};
 use crate::model::Model;
 use crate::text::Text;
 
@@ -25,7 +25,6 @@ use super::covariance::inverse;
 use super::every_effect::at_representative_settings;
 use super::exchange::choose;
 use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
-use super::named::Named;
 use super::needs::all_met;
 use super::next_poses::conditions;
 use super::rows::Rows;
@@ -33,11 +32,14 @@ use super::rows::Rows;
 /// λ of an effect that is just seen.
 const JUST_SEEN: f64 = 40.0;
 
+/// An effect, and its joint counted from 0.
+pub(crate) type OnJoint = (&'static Effect, usize);
+
 /// Poses that distinguish two effects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Separation {
-    /// The two.
-    pub between: [Named; 2],
+    /// The two: the effect's name, and its joint counted from 0 where it has one.
+    pub between: [(&'static str, Option<usize>); 2],
     /// Share of each that the other cannot imitate in the samples so far, 0 to 1 (squared).
     pub left_before: Vec<f64>,
     /// The same with the poses measured too, 0 to 1.
@@ -50,37 +52,34 @@ pub struct Separation {
     pub poses: Vec<NextPose>,
 }
 
-impl Separation {
-    /// No pose does it.
-    fn none(between: [Named; 2], because: Text) -> Self {
-        Self {
-            between,
-            left_before: vec![0.0; 2],
-            left_after: vec![0.0; 2],
-            decided: false,
-            impossible: Some(because),
-            poses: Vec::new(),
-        }
-    }
-}
-
 /// See the module. At most `most` poses; none where one of the effects cannot be seen by any measurement.
 pub(crate) fn separate_two(
     prepared: &PreparedSearch,
     fit: &Fit,
-    between: [Named; 2],
+    between: [OnJoint; 2],
     most: usize,
 ) -> Separation {
+    let mut separation = Separation {
+        between: between.map(|(effect, joint)| {
+            let about = effect.about();
+            (about.id, about.per_joint.then_some(joint))
+        }),
+        left_before: vec![0.0; 2],
+        left_after: vec![0.0; 2],
+        decided: false,
+        impossible: None,
+        poses: Vec::new(),
+    };
+    let [one, other] = separation.between.map(|(id, _)| called(id));
     let met = all_met(&prepared.survey);
-    for named in between {
-        let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
-        if let Some(because) = obstacle {
-            let because = text!(
+    for ((effect, joint), words) in between.into_iter().zip([&one, &other]) {
+        if let Some(because) = effect.obstacle(&met, joint) {
+            separation.impossible = Some(text!(
                 "{effect} cannot be seen: {because}",
-                effect = called(named.id),
+                effect = words,
                 because
-            );
-            return Separation::none(between, because);
+            ));
+            return separation;
         }
     }
     let base = fit.model.without(|t| between.iter().any(|b| is(t, *b)));
@@ -91,38 +90,23 @@ pub(crate) fn separate_two(
         let offer = CandidatePoses::new(prepared, targets, &conditions);
         attempt(offer, &base, &terms, most)
     });
-    let Shares {
-        possible,
-        left_before,
-        left_after,
-    } = shares;
-    if possible < COPY {
-        let because = text!(
+    separation.left_before = shares.left_before;
+    if shares.possible < COPY {
+        separation.impossible = Some(text!(
             "wherever they are measured, with a second reflector too, each looks like the other"
-        );
-        return Separation {
-            left_before,
-            ..Separation::none(between, because)
-        };
+        ));
+        return separation;
     }
-    let why = text!(
-        "distinguishes {one} from {other}",
-        one = called(between[0].id),
-        other = called(between[1].id)
-    );
-    Separation {
-        between,
-        left_before,
-        left_after,
-        decided: best.decides,
-        impossible: None,
-        poses: best.poses(&why, most),
-    }
+    let why = text!("distinguishes {one} from {other}", one, other);
+    separation.left_after = shares.left_after;
+    separation.decided = best.decides;
+    separation.poses = best.poses(&why, most);
+    separation
 }
 
-fn is(term: &Term, named: Named) -> bool {
+fn is(term: &Term, (effect, joint): OnJoint) -> bool {
     let about = term.effect.about();
-    about.id == named.id && (!about.per_joint || term.joint == named.joint)
+    about.id == effect.about().id && (!about.per_joint || term.joint == joint)
 }
 
 /// Shares of the two that the other cannot imitate.
@@ -176,10 +160,8 @@ fn attempt<'p>(
 }
 
 /// Representative settings of an effect: its own where the model has it.
-fn terms_of(prepared: &PreparedSearch, fit: &Fit, named: Named) -> Vec<Term> {
-    let Some(effect) = find(named.id) else {
-        return Vec::new();
-    };
+fn terms_of(prepared: &PreparedSearch, fit: &Fit, named: OnJoint) -> Vec<Term> {
+    let (effect, joint) = named;
     let there = fit.model.terms().iter().filter(|t| is(t, named));
     let there: Vec<Term> = there
         .map(|t| Term::absent(effect, t.joint, t.setting))
@@ -188,11 +170,11 @@ fn terms_of(prepared: &PreparedSearch, fit: &Fit, named: Named) -> Vec<Term> {
         return there;
     }
     let inputs = &prepared.problem.inputs;
-    let range = ranges(&prepared.problem.session.robot, Some(inputs))[named.joint];
+    let range = ranges(&prepared.problem.session.robot, Some(inputs))[joint];
     let times = inputs.time_s.as_deref().unwrap_or(&[]);
     let middle_s = 0.5 * times.iter().copied().fold(0.0, f64::max);
     let fades = [0.03 * (range.to - range.from)];
-    at_representative_settings(effect, named.joint, 6, &fades, middle_s)
+    at_representative_settings(effect, joint, 6, &fades, middle_s)
 }
 
 /// A base model with both effects, absent, where their columns are, and what samples and candidates show of them.

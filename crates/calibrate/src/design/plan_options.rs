@@ -6,11 +6,12 @@ use std::f64::consts::PI;
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::document::ranges::SMALLEST_SIGMA;
+use crate::effects::CATALOGUE;
 use crate::kinematics::Robot;
 use crate::text::Text;
 use crate::units::{LARGEST_LENGTH_MM, LARGEST_NUMBER};
 
-use super::named::Named;
+use super::pair_separation::OnJoint;
 
 /// Poses that are proposed in addition to a session, and ways of measuring that are tried, at most.
 pub(super) const PROPOSED: usize = 24;
@@ -149,40 +150,36 @@ impl PlanOptions {
     }
 
     /// The two effects, found in the catalogue.
-    pub(crate) fn between(&self, robot: &Robot) -> Result<Option<[Named; 2]>, DiagnoseError> {
+    pub(crate) fn between(&self, robot: &Robot) -> Result<Option<[OnJoint; 2]>, DiagnoseError> {
         let joints = robot.joints.len();
-        let Some(two) = &self.separate else {
+        let Some([one, other]) = &self.separate else {
             return Ok(None);
         };
-        let named = |given: &String| -> Result<Named, DiagnoseError> {
+        let named = |given: &String| -> Result<OnJoint, DiagnoseError> {
             let (id, joint) = given.split_once(':').unwrap_or((given, "1"));
-            let in_catalogue = crate::effects::CATALOGUE.iter();
-            let effect = in_catalogue
-                .map(|e| e.about().id)
-                .find(|known| *known == id)
+            let mut catalogue = CATALOGUE.iter().copied();
+            let effect = catalogue
+                .find(|effect| effect.about().id == id)
                 .ok_or_else(|| DiagnoseError::UnknownEffect(id.to_owned()))?;
             let number = joint.parse::<usize>().ok();
-            let joint = number.filter(|j| (1..=joints).contains(j));
-            let wrong = || {
+            let joint = number.filter(|j| (1..=joints).contains(j)).ok_or_else(|| {
                 DiagnoseError::Option(text!(
                     "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1",
                     given,
                     joints
                 ))
-            };
-            Ok(Named {
-                id: effect,
-                joint: joint.ok_or_else(wrong)? - 1,
-            })
+            })?;
+            Ok((effect, joint - 1))
         };
-        let [one, other] = [named(&two[0])?, named(&two[1])?];
-        if one == other {
+        let two = [named(one)?, named(other)?];
+        let [first, second] = two.map(|(effect, joint)| (effect.about().id, joint));
+        if first == second {
             return Err(DiagnoseError::Option(text!(
                 "--separate {one},{other}: expected two different effects",
-                one = &two[0],
-                other = &two[0]
+                one,
+                other = one
             )));
         }
-        Ok(Some([one, other]))
+        Ok(Some(two))
     }
 }

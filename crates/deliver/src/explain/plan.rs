@@ -1,11 +1,7 @@
 //! A plan: the poses, what they decide, make testable and sharpen.
 
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact};
-use crate::design::forecast::Forecast;
-use crate::design::geometry::Geometry;
-use crate::design::needs::Untestable;
-use crate::design::pair_separation::Separation;
-use crate::design::plan::{Plan, Subject};
+use crate::design::{Forecast, Geometry, Plan, Separation, Subject, Untestable};
 use crate::language::spoken;
 use crate::present::limits::{applies, joints_in_words, limits_of};
 use crate::present::names::{title, title_of, title_on};
@@ -102,7 +98,7 @@ fn open(plan: &Plan) -> Vec<Fact> {
 
 /// What the poses do for two effects that are to be told apart.
 fn separated(separation: &Separation) -> Vec<String> {
-    let [a, b] = separation.between.map(|named| title_of(named.id));
+    let [a, b] = separation.between.map(|(effect, _)| title_of(effect));
     if let Some(because) = &separation.impossible {
         return vec![say!(
             "No pose distinguishes {a} from {b}: {because}",
@@ -226,8 +222,8 @@ fn limits(plan: &Plan, detail: Detail) -> Option<Section> {
         };
         say!(
             "{one} and {other} will look alike (correlation {correlation})",
-            one = name((pair.one.0, pair.one.1)),
-            other = name((pair.other.0, pair.other.1)),
+            one = name(pair.one),
+            other = name(pair.other),
             correlation = format!("{:.3}", pair.correlation)
         )
     });
