@@ -242,7 +242,7 @@ pub fn diagnose(
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
     let session = &*session.whole()?;
-    crate::diagnosis::diagnose(session, options, &crate::design::next_poses::propose, watch)
+    crate::diagnosis::diagnose(session, options, &crate::design::propose, watch)
 }
 
 /// What a model brings on a session.

@@ -8,7 +8,7 @@ use nalgebra::Point3;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use crate::design::{PlanError, PlanOptions};
+use crate::design::PlanOptions;
 use crate::diagnosis::Options;
 use crate::explain::{self, Detail};
 use crate::pipeline::{self, measuring_list, measuring_program};
@@ -77,15 +77,6 @@ pub(crate) struct Plan {
     json: bool,
 }
 
-impl From<PlanError> for Failure {
-    fn from(error: PlanError) -> Self {
-        match error {
-            PlanError::Diagnose(error) => error.into(),
-            other => Self::refused(other.describe()),
-        }
-    }
-}
-
 impl Plan {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let to_stdout = output::is_standard_output(self.out.as_deref());
@@ -146,9 +137,7 @@ impl Plan {
             output::text(&blocks::sections(&explain::plan(&plan, Detail::TERMINAL)))
         }
     }
-}
 
-impl Plan {
     /// The language of what is written.
     fn language<'s>(&'s self, out: &Path) -> &'s str {
         let by_name = || language_of(out, b"").map(|language| language.id);

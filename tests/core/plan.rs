@@ -8,7 +8,7 @@ use std::process::Output;
 use crate::cases::cases;
 use crate::rig::{Design, Hidden, Random, Rig, Shot};
 use serde_json::Value;
-use truepose::design::{PlanError, PlanOptions, plan_robot, plan_session};
+use truepose::design::{PlanOptions, plan_robot, plan_session};
 use truepose::diagnosis::NextPose;
 use truepose::diagnosis::{Diagnosis, Options};
 use truepose::kinematics::{JointKind, Robot};
@@ -391,8 +391,9 @@ fn two_effects_are_told_apart_or_it_is_said_that_nothing_does() {
         separation.left_after
     );
     assert!(plan_robot(&axis, &two("backlash", "backlash")).is_err());
-    let joint = plan_robot(&axis, &two("backlash:2", "tracking-lag"));
-    assert!(matches!(joint, Err(PlanError::Joint { .. })), "{joint:?}");
+    let joint = plan_robot(&axis, &two("backlash:2", "tracking-lag")).expect_err("no such joint");
+    let says = joint.describe();
+    assert!(says.contains("--separate backlash:2: expected"), "{says}");
 }
 
 #[test]

@@ -7,23 +7,25 @@
 //! then what was chosen competes with poses around it. Which effects the poses show in addition to the geometry is a
 //! matter of conditions ([`super::conditions`]).
 
+use std::iter::repeat_n;
+
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::candidate::{Candidate, Writing, anywhere, ranges};
-use super::imagined::{extend, extended, unmeasured};
+use super::imagined::{extended, unmeasured, with_candidates};
 use super::line_of_sight;
 use super::measuring_methods::{MeasuringMethod, ways};
 use super::needs::test_load_kg;
+use super::plan::Plan;
 use super::plan_options::PlanOptions;
 use crate::diagnosis::{DiagnoseError, NextPose};
 use crate::fit::base_model;
 use crate::fit::priors::Priors;
 use crate::fit::problem::Problem;
-use crate::kinematics::{Range, Robot};
+use crate::kinematics::Range;
 use crate::model::Model;
-use crate::sessions::{Instrument, Session, Sigma, Target};
-use crate::text::Text;
+use crate::sessions::{Instrument, Session, Sigma};
 
 /// Candidates of a round.
 pub(super) const CANDIDATES: usize = 900;
@@ -43,8 +45,8 @@ pub(crate) struct Arm {
     pub(crate) ranges: Vec<Range>,
     /// So many of the targets are there already.
     mounted: usize,
-    ways: Vec<MeasuringMethod>,
-    cone_rad: Option<f64>,
+    pub(super) ways: Vec<MeasuringMethod>,
+    pub(super) cone_rad: Option<f64>,
     pub(crate) seed: u64,
     /// The test load, kg; none: the load stays as it is.
     pub(crate) load_kg: Option<f64>,
@@ -55,9 +57,10 @@ pub(crate) struct Arm {
 }
 
 impl Arm {
-    /// A session as it is fitted.
+    /// A session as it is fitted, with these poses measured too.
     pub(crate) fn of_session(
         session: &Session,
+        planned: &[NextPose],
         options: &PlanOptions,
     ) -> Result<Self, DiagnoseError> {
         let diagnosis = &options.diagnosis;
@@ -74,10 +77,6 @@ impl Arm {
         let heaviest = samples.load_kg.iter().flatten().copied();
         let load_kg = test_load_kg(options.load_kg, heaviest.fold(0.0, f64::max));
         let loads = samples.load_kg.is_some() || points && session.robot.gravity_m_s2.is_some();
-        let (heats, speeds) = (
-            samples.temperature_c.is_some() || points,
-            samples.speed.iter().any(Option::is_some),
-        );
         let mut session = session.clone();
         let own = session.instrument.tracker.map(|t| t.position_mm);
         let from = own.or(options.instrument_mm);
@@ -94,28 +93,34 @@ impl Arm {
             });
             session.instrument.sigma_mm = Some(Sigma::Overall(unit * priors.variance.sqrt()));
         }
+        // Of the fit the values alone: what is held there may be shown by other poses.
+        let base = start.with_each(|_, term| {
+            if let Some(own) = fitted.terms().iter().find(|t| t.same_column(term)) {
+                term.coefficients.clone_from(&own.coefficients);
+            }
+        });
+        let ways = ways(&session, from);
+        if !planned.is_empty() {
+            session = extended(&session, &base, planned, &session.targets);
+        }
         Ok(Self {
-            base: valued(&start, &fitted),
+            base,
             mounted: session.targets.len(),
-            ways: ways(&session, from),
+            ways,
             cone_rad: options.cone_rad,
             seed: diagnosis.seed,
             session,
             priors,
             ranges,
             load_kg: loads.then_some(load_kg),
-            heats,
-            speeds,
+            heats: samples.temperature_c.is_some() || points,
+            speeds: samples.speed.iter().any(Option::is_some),
         })
     }
 
     /// A robot that was not measured, seen from a place in its base frame.
-    pub(crate) fn of_robot(
-        robot: &Robot,
-        targets: &[Target],
-        sigma_mm: f64,
-        options: &PlanOptions,
-    ) -> Self {
+    pub(crate) fn of_robot(plan: &Plan, options: &PlanOptions) -> Self {
+        let (robot, targets) = (&plan.robot, &plan.targets);
         let way = |target: usize| MeasuringMethod {
             like: None,
             places: Vec::new(),
@@ -124,7 +129,7 @@ impl Arm {
             from: options.instrument_mm,
         };
         let mut arm = Self {
-            session: unmeasured(robot, targets, Some(sigma_mm)),
+            session: unmeasured(robot, targets, Some(plan.sigma_mm)),
             base: Model::nominal(robot.clone()),
             priors: Priors::unmeasured(Instrument::default().targets_sigma_mm),
             ranges: ranges(robot, None),
@@ -146,15 +151,6 @@ impl Arm {
         arm
     }
 
-    /// The same once these poses are measured.
-    pub(crate) fn with_planned(mut self, planned: &[NextPose]) -> Self {
-        let targets = self.session.targets.clone();
-        if !planned.is_empty() {
-            self.session = extended(&self.session, &self.base, planned, &targets);
-        }
-        self
-    }
-
     pub(crate) fn random(&self, stream: u64) -> ChaCha8Rng {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed ^ 0x00a2_3d07);
         random.set_stream(stream);
@@ -169,8 +165,7 @@ impl Arm {
         ends: bool,
         random: &mut ChaCha8Rng,
     ) -> Vec<Candidate> {
-        let mut drawn = Vec::with_capacity(count * TRIES);
-        for k in 0..count * TRIES {
+        let drawn = (0..count * TRIES).map(|k| {
             let mut q = anywhere(&self.ranges, random);
             for (q, range) in q.iter_mut().zip(&self.ranges) {
                 let (at_end, low) = (random.random::<f64>() < ENDS, random.random::<bool>());
@@ -178,9 +173,10 @@ impl Arm {
                     *q = if low { range.from } else { range.to };
                 }
             }
-            drawn.push((q, k / ENDS_EVERY % self.ways.len().max(1)));
-        }
-        self.admitted(drawn, count)
+            (q, k / ENDS_EVERY % self.ways.len().max(1))
+        });
+        let measurable = drawn.filter_map(|(q, way)| self.measurable(q, way));
+        measurable.take(count).collect()
     }
 
     /// Poses around these, each in the same way.
@@ -191,49 +187,23 @@ impl Arm {
         random: &mut ChaCha8Rng,
     ) -> Vec<Candidate> {
         let each = CANDIDATES.div_ceil(chosen.len().max(1)).max(2);
-        let mut drawn = Vec::with_capacity(each * chosen.len());
-        for like in chosen {
-            for _ in 0..each {
-                let one = |(q, range): (&f64, &Range)| {
-                    let share = near * (2.0 * random.random::<f64>() - 1.0);
-                    (q + share * (range.to - range.from)).clamp(range.from, range.to)
-                };
-                let q = like.q.iter().zip(&self.ranges).map(one);
-                drawn.push((q.collect(), like.way));
-            }
-        }
-        let count = drawn.len();
-        self.admitted(drawn, count)
+        let drawn = chosen.iter().flat_map(|like| repeat_n(like, each));
+        let measurable = drawn.filter_map(|like| {
+            let one = |(q, range): (&f64, &Range)| {
+                let share = near * (2.0 * random.random::<f64>() - 1.0);
+                (q + share * (range.to - range.from)).clamp(range.from, range.to)
+            };
+            let q = like.q.iter().zip(&self.ranges).map(one);
+            self.measurable(q.collect(), like.way)
+        });
+        measurable.collect()
     }
 
-    /// Of these the first that can be measured.
-    fn admitted(&self, drawn: Vec<(Vec<f64>, usize)>, count: usize) -> Vec<Candidate> {
-        let mut all = Vec::new();
-        let mut drawn = drawn.into_iter();
-        while all.len() < count && drawn.len() > 0 {
-            let brought = drawn.by_ref().take(count).filter_map(|(mut q, way)| {
-                self.session.robot.follow(&mut q);
-                let own = &self.ways[way];
-                let q = own.brought(&self.session, &self.base, &self.ranges, q)?;
-                Some(Candidate {
-                    target: own.target,
-                    way,
-                    ..Candidate::at(q)
-                })
-            });
-            let some: Vec<Candidate> = brought.collect();
-            let posed: Vec<_> = some.iter().map(|c| (&c.q[..], c.target)).collect();
-            let from: Vec<_> = some.iter().map(|c| self.ways[c.way].from).collect();
-            let seen = line_of_sight::seen(&self.session, &self.base, &posed, &from, self.cone_rad);
-            all.extend(
-                some.into_iter()
-                    .zip(seen)
-                    .filter(|own| own.1)
-                    .map(|own| own.0),
-            );
-        }
-        all.truncate(count);
-        all
+    /// A pose near these joint values, if there is one that can be measured in this way.
+    fn measurable(&self, mut q: Vec<f64>, way: usize) -> Option<Candidate> {
+        self.session.robot.follow(&mut q);
+        let brought = self.ways[way].brought(way, &self.session, &self.base, &self.ranges, q);
+        brought.filter(|candidate| line_of_sight::seen(self, candidate))
     }
 
     /// How poses are written down whose conditions are varied, or are not.
@@ -249,24 +219,7 @@ impl Arm {
 
     /// The session with these poses measured too.
     pub(crate) fn with(&self, candidates: &[Candidate], varied: bool) -> Session {
-        let writing = self.writing(varied);
-        let poses = candidates.iter().map(|c| writing.pose(c, Text::default()));
-        let like: Vec<_> = candidates.iter().map(|c| self.ways[c.way].like).collect();
-        let mut whole = self.session.clone();
-        extend(&mut whole, &self.base, &poses.collect::<Vec<_>>(), &like);
-        whole
+        let (session, writing) = (&self.session, &self.writing(varied));
+        with_candidates(session, &self.base, candidates, &self.ways, writing)
     }
-}
-
-/// Terms with the values of a fit, as far as it has them.
-fn valued(start: &Model, fitted: &Model) -> Model {
-    let terms = start.terms().iter().map(|term| {
-        let own = fitted.terms().iter().find(|t| t.same_column(term));
-        let mut term = term.clone();
-        if let Some(own) = own {
-            term.coefficients.clone_from(&own.coefficients);
-        }
-        term
-    });
-    Model::new(start.robot.clone(), terms.collect())
 }

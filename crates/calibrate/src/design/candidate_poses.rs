@@ -1,16 +1,23 @@
 //! Candidate poses for a session: places within the limits, sides of approach, speeds, loads, temperatures and
-//! reflectors, as every combination of them.
+//! reflectors, as every combination of them; and what models show at them and at the samples.
 
+use nalgebra::DMatrix;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 use super::candidate::{Arrival, Candidate, Writing, anywhere, at, inputs, ranges, usual_speed};
-use super::imagined::{LATER_S, alone};
+use super::imagined::{LATER_S, with_candidates};
 use super::measuring_methods::{MeasuringMethod, last_setup, ways};
+use super::rows::Rows;
 use crate::diagnosis::NextPose;
+use crate::diagnosis::evidence::Regression;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::Inputs;
+use crate::fit::problem::Problem;
 use crate::kinematics::{Joint, Range};
+use crate::model::Model;
+use crate::numeric::GOLDEN_RATIO;
+use crate::observations::Layer;
 use crate::sessions::{Session, Target};
 use crate::text::Text;
 
@@ -63,30 +70,36 @@ impl Conditions {
 }
 
 /// The candidates for a session: its reflectors and perhaps one more, under all conditions.
-#[derive(Debug, Clone)]
-pub(crate) struct CandidatePoses {
+pub(crate) struct CandidatePoses<'p> {
+    pub(crate) problem: &'p Problem<'p>,
+    pub(crate) regression: &'p Regression<'p>,
     /// The ways in which the session measures where that is not points alone: every candidate is measured
     /// in one of them.
-    pub(crate) ways: Vec<MeasuringMethod>,
-    pub(crate) targets: Vec<Target>,
-    pub(crate) ranges: Vec<Range>,
+    ways: Vec<MeasuringMethod>,
+    targets: Vec<Target>,
+    ranges: Vec<Range>,
     pub(crate) candidates: Vec<Candidate>,
+    pub(crate) inputs: Inputs<'static>,
+    /// The candidates as samples, each measured in its way as far as the base model knows, where points are not all
+    /// that is measured.
+    taken: Option<Session>,
 }
 
-impl CandidatePoses {
+impl<'p> CandidatePoses<'p> {
     pub(crate) fn new(
-        prepared: &PreparedSearch,
+        prepared: &'p PreparedSearch,
         targets: Vec<Target>,
         conditions: &Conditions,
     ) -> Self {
-        let session = prepared.problem.session;
-        let ranges = ranges(&session.robot, Some(&prepared.problem.inputs));
+        let (problem, base) = (&*prepared.problem, &prepared.regression.base);
+        let session = problem.session;
+        let ranges = ranges(&session.robot, Some(&problem.inputs));
         let mut places = places(&ranges, prepared.options().seed, conditions.uneven);
         for q in &mut places {
             session.robot.follow(q);
         }
         let mut own_ways = Vec::new();
-        let candidates = if prepared.problem.observed.is_none() {
+        let candidates = if problem.observed.is_none() {
             let places: Vec<_> = places.into_iter().map(Candidate::at).collect();
             let each: Vec<u32> = (0..u32::try_from(targets.len()).unwrap_or(1)).collect();
             let all = combinations(&places, conditions);
@@ -95,41 +108,65 @@ impl CandidatePoses {
             let all = ways(session, None);
             let every = all.len().div_ceil(MOST_WAYS).max(1);
             own_ways = all.into_iter().step_by(every).collect();
-            let base = &prepared.regression.base;
-            let of_way = |(index, way): (usize, &MeasuringMethod)| {
-                let brought = |q: &Vec<f64>| way.brought(session, base, &ranges, q.clone());
-                let own = places.iter().filter_map(brought).map(|q| Candidate {
-                    target: way.target,
-                    way: index,
-                    ..Candidate::at(q)
-                });
-                own.collect::<Vec<_>>()
-            };
-            let places: Vec<_> = own_ways.iter().enumerate().flat_map(of_way).collect();
-            combinations(&places, conditions)
+            let mut there = Vec::new();
+            for (index, way) in own_ways.iter().enumerate() {
+                let brought = |q: &Vec<f64>| way.brought(index, session, base, &ranges, q.clone());
+                there.extend(places.iter().filter_map(brought));
+            }
+            combinations(&there, conditions)
         };
-        Self {
+        let start = Some(problem.inputs.start_s());
+        let mut inputs = inputs(&session.robot, &targets, &ranges, &candidates, start);
+        if !own_ways.is_empty() {
+            inputs.setup = last_setup(session).map(|last| vec![last; candidates.len()]);
+        }
+        let mut all = Self {
+            problem,
+            regression: &prepared.regression,
             ways: own_ways,
             targets,
             ranges,
             candidates,
+            inputs,
+            taken: None,
+        };
+        if problem.observed.is_some() {
+            let own = &all.candidates;
+            let mut taken = with_candidates(session, base, own, &all.ways, &all.writing());
+            let new = session.samples.len()..taken.samples.len();
+            taken.samples.select(&new.map(Some).collect::<Vec<_>>());
+            all.taken = Some(taken);
         }
+        all
     }
 
-    /// The candidates as samples, each measured in its way as far as the base model knows; `None` where
-    /// points alone are measured.
-    pub(crate) fn session(&self, prepared: &PreparedSearch) -> Option<Session> {
-        prepared.problem.observed.as_ref()?;
-        let writing = self.writing(prepared);
-        let all = self.candidates.iter();
-        let poses = all.clone().map(|c| writing.pose(c, Text::default()));
-        let like: Vec<_> = all.map(|c| self.ways[c.way].like).collect();
-        let (session, base) = (prepared.problem.session, &prepared.regression.base);
-        Some(alone(session, base, &poses.collect::<Vec<_>>(), &like))
+    /// What each candidate shows of `truth` where `other` is refitted, in units of the noise that the session
+    /// was found to have.
+    pub(crate) fn rows(&self, truth: &Model, other: &Model) -> Rows {
+        let Regression { rows, noise, .. } = self.regression;
+        let Some(taken) = &self.taken else {
+            return Rows::of_points([truth, other], &self.inputs, &rows.axes, noise.sigma_mm);
+        };
+        let mut layer = Layer::at(taken, &self.inputs);
+        if let Some(so_far) = rows.observed() {
+            layer.sigma.clone_from(&so_far.layer().sigma);
+            layer.unit_mm = so_far.layer().unit_mm;
+        }
+        let of = |model: &Model| Rows::of_layer(&layer, model, noise.sigma_mm).0;
+        let mut all = of(other);
+        all.difference -= of(truth).difference;
+        all
     }
 
-    fn writing(&self, prepared: &PreparedSearch) -> Writing<'_> {
-        let session = prepared.problem.session;
+    /// Gram matrix of a model's columns over the samples.
+    pub(crate) fn gram(&self, model: &Model) -> DMatrix<f64> {
+        let Regression { rows, noise, .. } = self.regression;
+        let white = noise.whitened(rows, &rows.extract(model).1);
+        white.tr_mul(&white)
+    }
+
+    fn writing(&self) -> Writing<'_> {
+        let session = self.problem.session;
         Writing {
             targets: &self.targets,
             mounted: session.targets.len(),
@@ -139,31 +176,15 @@ impl CandidatePoses {
         }
     }
 
-    pub(crate) fn inputs(&self, prepared: &PreparedSearch) -> Inputs<'static> {
-        let start = prepared.problem.inputs.start_s();
-        let session = prepared.problem.session;
-        let (ranges, all) = (&self.ranges, &self.candidates);
-        let mut inputs = inputs(&session.robot, &self.targets, ranges, all, Some(start));
-        if !self.ways.is_empty() {
-            inputs.setup = last_setup(session).map(|last| vec![last; all.len()]);
-        }
-        inputs
-    }
-
     /// The pose of a candidate; before a short approach the place where the joints reverse.
-    pub(crate) fn poses(
-        &self,
-        prepared: &PreparedSearch,
-        candidate: usize,
-        why: &Text,
-    ) -> Vec<NextPose> {
+    pub(crate) fn poses(&self, candidate: usize, why: &Text) -> Vec<NextPose> {
         let candidate = &self.candidates[candidate];
-        let session = prepared.problem.session;
+        let session = self.problem.session;
         let why = match self.ways.get(candidate.way) {
             Some(way) => text!("{why}; measure {kinds}", why, kinds = way.describe(session)),
             None => why.clone(),
         };
-        let pose = self.writing(prepared).pose(candidate, why);
+        let pose = self.writing().pose(candidate, why);
         let Arrival::Short(share) = candidate.arrival else {
             return vec![pose];
         };
@@ -227,7 +248,7 @@ fn places(ranges: &[Range], seed: u64, uneven: bool) -> Vec<Vec<f64>> {
             let mut q = middle.clone();
             // Anywhere within its part of the range (Kronecker's sequence).
             let inside = if uneven {
-                (0.618_033_988_749_894_9 * (k as f64 + 1.0)).fract()
+                (GOLDEN_RATIO * (k as f64 + 1.0)).fract()
             } else {
                 0.5
             };

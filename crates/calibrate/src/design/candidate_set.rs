@@ -18,7 +18,7 @@ use super::forecast::{ExpectedError, Forecast, Workspace};
 use super::imagined::shown;
 use super::information::Information;
 use crate::budget;
-use crate::effects::JointValues;
+use crate::effects::{JointValues, Term};
 use crate::fit::gauge;
 use crate::fit::priors::Priors;
 use crate::fit::problem::Problem;
@@ -50,17 +50,16 @@ impl Arm {
         problem.priors = self.priors.clone();
         let gauged = || gauge::gauged(&problem, &self.base);
         let model = model.map_or_else(gauged, Model::clone);
-        let columns = free(&model);
-        let (rows, mut measured) = shown(&whole, &model, &columns);
+        let (rows, mut measured) = shown(&whole, &model);
         rows.add_to(&mut measured, 0..before);
-        let known = self.prior_information(&model, &columns) + &measured;
+        let known = self.prior_information(&model) + &measured;
         let mut stated = self.priors.clone();
         stated.weak = false;
-        measured += precision(&stated, &model, &columns, |_, _| 0.0);
+        measured += precision(&stated, &model, |_, _| 0.0);
         let rows = rows.from(before);
         let everything = &measured + rows.information();
         CandidateSet {
-            workspace: Workspace::new(&problem, &model, &columns, &everything),
+            workspace: Workspace::new(&problem, &model, &everything),
             information: Information::new(rows, inverse(&known)),
             candidates,
             model,
@@ -69,9 +68,9 @@ impl Arm {
         }
     }
 
-    /// The prior information on some coefficients of a model.
-    pub(crate) fn prior_information(&self, model: &Model, columns: &[usize]) -> DMatrix<f64> {
-        precision(&self.priors, model, columns, |term, k| {
+    /// The prior information on the free coefficients of a model.
+    pub(crate) fn prior_information(&self, model: &Model) -> DMatrix<f64> {
+        precision(&self.priors, model, |term, k| {
             let kind = model.robot.joints[term.joint].kind;
             ANYWHERE[usize::from(!term.effect.about().form.turns(k, kind))].powi(-2)
         })
@@ -107,27 +106,24 @@ impl Arm {
     }
 }
 
-/// The coefficients that are not held.
-pub(crate) fn free(model: &Model) -> Vec<usize> {
-    let free = model.columns().enumerate();
-    let free = free.filter(|(_, (term, k))| !term.held.contains(*k));
-    free.map(|(column, _)| column).collect()
+/// The coefficients that are not held: the column of each, its term, and which it is there.
+pub(crate) fn free(model: &Model) -> impl Iterator<Item = (usize, &Term, usize)> {
+    let all = model.columns().enumerate();
+    all.filter(|(_, (term, k))| !term.held.contains(*k))
+        .map(|(column, (term, k))| (column, term, k))
 }
 
-/// The inverse variances of some coefficients beforehand, on a diagonal.
+/// The inverse variances of the free coefficients beforehand, on a diagonal.
 fn precision(
     priors: &Priors,
     model: &Model,
-    columns: &[usize],
-    unknown: impl Fn(&crate::effects::Term, usize) -> f64,
+    unknown: impl Fn(&Term, usize) -> f64,
 ) -> DMatrix<f64> {
-    let each = model.columns().map(|(term, k)| {
+    let each = free(model).map(|(_, term, k)| {
         let sigma = priors.sigma(model, term, k);
         sigma.map_or_else(|| unknown(term, k), |sigma| sigma.powi(-2))
     });
-    let each: Vec<f64> = each.collect();
-    let own = columns.iter().map(|k| each[*k]);
-    DMatrix::from_diagonal(&DVector::from_iterator(columns.len(), own))
+    DMatrix::from_diagonal(&DVector::from_vec(each.collect()))
 }
 
 impl CandidateSet {
@@ -166,10 +162,5 @@ impl CandidateSet {
         let count = self.before + of.len();
         self.workspace
             .forecast(&information.covariance, &gram, count)
-    }
-
-    /// Number of coefficients that candidates show.
-    pub(crate) fn parameters(&self) -> usize {
-        self.measured.nrows()
     }
 }

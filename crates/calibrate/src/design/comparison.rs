@@ -22,8 +22,8 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
+use super::candidate_poses::CandidatePoses;
 use super::covariance;
-use super::field::Field;
 use super::information::Information;
 use super::rows::Rows;
 use crate::diagnosis::evidence::Regression;
@@ -93,12 +93,12 @@ impl Comparison {
     /// `truth` against `other` where it was present already while the samples were measured, and `other` was fitted to
     /// them; the samples count so much.
     pub(crate) fn from_the_start(
-        field: &Field,
+        offer: &CandidatePoses,
         [truth, other]: [&Model; 2],
         enough: f64,
         weight: f64,
     ) -> Self {
-        let Regression { rows, noise, .. } = field.regression;
+        let Regression { rows, noise, .. } = offer.regression;
         let (without, columns) = rows.extract(other);
         let difference = noise.whitened_vector(rows, &(without - rows.residual(truth)));
         let white = noise.whitened(rows, &columns);
@@ -106,7 +106,7 @@ impl Comparison {
         let pull = white.tr_mul(&difference) * weight;
         // Of many parameters these columns and those of all candidates need not have room at once.
         drop((white, columns));
-        let mut seen = field.rows(truth, other);
+        let mut seen = offer.rows(truth, other);
         let mut covariance = covariance::given_samples(&gram, &seen);
         let mut at_first = &covariance * &pull;
         let explained = at_first.dot(&pull);
@@ -128,12 +128,10 @@ impl Comparison {
         &self.information.rows
     }
 
-    /// Sum over the other models that count of what one pose more is worth; `worth` is given by how much it
-    /// would part each.
+    /// Sum over the other models of what one pose more is worth; `worth` is given by how much it would part each.
     pub(crate) fn worth(
         &self,
         candidate: usize,
-        counts: impl Fn(&ModelDistance) -> bool,
         worth: impl Fn(&ModelDistance, f64) -> f64,
     ) -> f64 {
         let Some(root) = self.information.innovation(candidate, 1.0) else {
@@ -141,12 +139,11 @@ impl Comparison {
         };
         let (first, size) = self.rows().place(candidate);
         let mut white = vec![0.0; size];
-        let mut of = |one: &ModelDistance| {
+        let of = |one: &ModelDistance| {
             let residual = &one.residual.as_slice()[first..first + size];
             worth(one, whitened_square(&root, residual, &mut white))
         };
-        let others = self.distances.iter().filter(|one| counts(one));
-        others.map(&mut of).sum()
+        self.distances.iter().map(of).sum()
     }
 
     /// Measures a candidate; `measured` is what comes to the difference in each draw.
@@ -234,7 +231,7 @@ mod tests {
         let rows = [(3.0, 1.0), (1.0, 1.0), (2.0, -1.0)];
         let mut comparison = of(&rows, 4.0, 2);
         for k in 0..3 {
-            let gain = comparison.worth(k, |_| true, |_, gain| gain);
+            let gain = comparison.worth(k, |_, gain| gain);
             let before = comparison.distances[0].delta;
             // In the second draw twice the difference is measured.
             let measured = DMatrix::from_row_slice(1, 2, &[0.0, rows[k].0]);

@@ -56,7 +56,7 @@ pub(crate) fn conditioned(arm: &Arm, poses: &[Candidate]) -> Vec<NextPose> {
     let mut here: Vec<f64> = arm.ranges.iter().map(at_home).collect();
     let mut all: Vec<&Candidate> = Vec::new();
     for stretch in 0..stretches {
-        let inside = order.iter().filter(|k| slots.stretch[**k] == stretch);
+        let inside = order.iter().filter(|k| slots.place(**k).1 == stretch);
         let own: Vec<&Candidate> = inside.map(|k| &slots.candidates[*k]).collect();
         let places: Vec<&[f64]> = own.iter().map(|c| &c.q[..]).collect();
         let way = path::short(robot, &places, &here);
@@ -72,9 +72,8 @@ pub(crate) fn conditioned(arm: &Arm, poses: &[Candidate]) -> Vec<NextPose> {
 
 /// Poses under all conditions that are offered.
 struct ConditionedPoses {
+    /// Pose after pose from some sides, each in every stretch.
     candidates: Vec<Candidate>,
-    pose: Vec<usize>,
-    stretch: Vec<usize>,
     information: Information,
     used: Vec<bool>,
     free_in_stretch: Vec<usize>,
@@ -83,9 +82,9 @@ struct ConditionedPoses {
 impl ConditionedPoses {
     fn new(arm: &Arm, poses: &[Candidate], stretches: usize) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(arm.seed ^ 0x51de);
-        let (mut candidates, mut pose, mut stretch) = (Vec::new(), Vec::new(), Vec::new());
+        let mut candidates = Vec::new();
         let sides = SIDES[usize::from(poses.len() > MANY)];
-        for (k, own) in poses.iter().enumerate() {
+        for own in poses {
             let mut dir = vec![1.0; own.q.len()];
             for side in 0..sides {
                 for d in &mut dir {
@@ -105,22 +104,24 @@ impl ConditionedPoses {
                         above_20_c: WARMING_C * warmth,
                         ..own.clone()
                     });
-                    pose.push(k);
-                    stretch.push(s);
                 }
             }
         }
         let n = poses.len();
         Self {
-            information: information(arm, &candidates, &stretch, [n, stretches]),
+            information: information(arm, &candidates, [n, stretches]),
             used: vec![false; n],
             free_in_stretch: (0..stretches)
                 .map(|s| (s + 1) * n / stretches - s * n / stretches)
                 .collect(),
             candidates,
-            pose,
-            stretch,
         }
+    }
+
+    /// Which pose a candidate is, and in which stretch.
+    fn place(&self, candidate: usize) -> (usize, usize) {
+        let of_pose = self.candidates.len() / self.used.len().max(1);
+        (candidate / of_pose, candidate % self.free_in_stretch.len())
     }
 }
 
@@ -143,7 +144,8 @@ fn possible(arm: &Arm, q: &[f64], dir: &[f64]) -> Vec<f64> {
 impl Criterion for ConditionedPoses {
     fn worths(&self) -> Vec<f64> {
         let of = |k: usize| {
-            let free = !self.used[self.pose[k]] && self.free_in_stretch[self.stretch[k]] > 0;
+            let (pose, stretch) = self.place(k);
+            let free = !self.used[pose] && self.free_in_stretch[stretch] > 0;
             // Where nothing more can be gained the pose is measured nevertheless.
             if free {
                 self.information.gain(k).max(rounding::WRITTEN)
@@ -156,18 +158,14 @@ impl Criterion for ConditionedPoses {
 
     fn take(&mut self, candidate: usize) {
         self.information.take(candidate);
-        self.used[self.pose[candidate]] = true;
-        self.free_in_stretch[self.stretch[candidate]] -= 1;
+        let (pose, stretch) = self.place(candidate);
+        self.used[pose] = true;
+        self.free_in_stretch[stretch] -= 1;
     }
 }
 
 /// The information of the candidates on geometry and effects, added to what was measured.
-fn information(
-    arm: &Arm,
-    candidates: &[Candidate],
-    stretch: &[usize],
-    [poses, stretches]: [usize; 2],
-) -> Information {
+fn information(arm: &Arm, candidates: &[Candidate], [poses, stretches]: [usize; 2]) -> Information {
     let mut whole = arm.with(candidates, true);
     let before = arm.session.samples.len();
     let mut middle_s = 0.0;
@@ -175,8 +173,8 @@ fn information(
         // Times are those of the stretches, not of so many candidates.
         let start = time_s.get(before).copied().unwrap_or(0.0);
         let each = SECONDS_PER_POSE * poses as f64;
-        for (to, stretch) in time_s[before..].iter_mut().zip(stretch) {
-            *to = start + each * (*stretch as f64 + 0.5) / stretches as f64;
+        for (to, stretch) in time_s[before..].iter_mut().zip((0..stretches).cycle()) {
+            *to = start + each * (stretch as f64 + 0.5) / stretches as f64;
         }
         middle_s = start + 0.5 * each;
     }
@@ -189,12 +187,11 @@ fn information(
     });
     let all = arm.base.terms().iter().chain(effects).cloned().collect();
     let model = Model::new(arm.session.robot.clone(), all);
-    let columns = free(&model);
-    let (rows, prior) = shown(&whole, &model, &columns);
-    let mut known = arm.prior_information(&model, &columns);
-    let of_effect: Vec<bool> = model.columns().map(|(term, _)| !of_base(term)).collect();
+    let (rows, prior) = shown(&whole, &model);
+    let mut known = arm.prior_information(&model);
     let squares = rows.squares();
-    for (to, _) in columns.iter().enumerate().filter(|own| of_effect[*own.1]) {
+    let of_effects = free(&model).enumerate();
+    for (to, _) in of_effects.filter(|(_, (_, term, _))| !of_base(term)) {
         let mean = squares[to] / rows.difference.len().max(1) as f64;
         known[(to, to)] = if mean > 0.0 {
             mean / (WIDEST * WIDEST)

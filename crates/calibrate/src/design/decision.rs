@@ -22,9 +22,9 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::candidate_poses::CandidatePoses;
 use super::comparison::{Comparison, ModelDistance, enough_for};
 use super::covariance;
-use super::field::Field;
 use super::rows::Rows;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::other_settings::at_another_setting;
@@ -58,7 +58,6 @@ struct Truth {
     index: usize,
     /// Deviations of the parameters by draws.
     parameters: DMatrix<f64>,
-    first: usize,
 }
 
 pub(crate) struct Decision {
@@ -77,23 +76,25 @@ pub(crate) struct Decision {
 impl Decision {
     /// Among explanations, at least one; and each of them as it is refitted to the predictions of every other that may
     /// be true and has to be distinguished from it. Their rows are relative to the first.
-    pub(crate) fn new(field: &Field, explanations: &[Explanation]) -> (Self, Vec<Comparison>) {
+    pub(crate) fn new(
+        offer: &CandidatePoses,
+        explanations: &[Explanation],
+    ) -> (Self, Vec<Comparison>) {
         let mut random = ChaCha8Rng::seed_from_u64(0);
         let (mut rows, mut grams, mut truths) = (Vec::new(), Vec::new(), Vec::new());
         for (index, Explanation { fit, open, .. }) in explanations.iter().enumerate() {
-            let own = field.rows(&explanations[0].fit.model, &fit.model);
-            let gram = field.gram(&fit.model);
+            let own = offer.rows(&explanations[0].fit.model, &fit.model);
+            let gram = offer.gram(&fit.model);
             if *open {
                 truths.push(Truth {
                     index,
                     parameters: drawn(&gram, &own, &mut random),
-                    first: truths.len() * budget::DRAWS,
                 });
             }
             rows.push(Arc::new(own));
             grams.push(gram);
         }
-        let differ = to_distinguish(field, explanations);
+        let differ = to_distinguish(offer, explanations);
         let comparison = |(other, gram): (usize, &DMatrix<f64>)| {
             let own = &rows[other];
             let against = truths.iter().map(|truth| truth.index);
@@ -114,7 +115,7 @@ impl Decision {
             differ,
             truths,
             random,
-            rows: field.regression.m(),
+            rows: offer.regression.m(),
             new_rows: 0.0,
             history: Vec::new(),
         };
@@ -126,7 +127,7 @@ impl Decision {
         let (first, size) = comparisons[0].rows().place(candidate);
         // Measured values are relative to the first explanation.
         let mut measured = DMatrix::zeros(size, self.truths.len() * budget::DRAWS);
-        for truth in &self.truths {
+        for (k, truth) in self.truths.iter().enumerate() {
             let rows = comparisons[truth.index].rows();
             let mut block = rows.of(candidate).tr_mul(&truth.parameters);
             let difference = rows.difference.rows(first, size);
@@ -134,7 +135,7 @@ impl Decision {
                 .column_iter_mut()
                 .for_each(|mut own| own -= difference);
             measured
-                .columns_mut(truth.first, budget::DRAWS)
+                .columns_mut(k * budget::DRAWS, budget::DRAWS)
                 .copy_from(&block);
         }
         let random = &mut self.random;
@@ -159,14 +160,14 @@ impl Decision {
             let risen = comparisons[index].risen[draw];
             before - 0.5 * rows * (rss + risen).max(1e-300).ln()
         };
-        let of = |truth: &Truth| {
+        let of = |(t, truth): (usize, &Truth)| {
             DMatrix::from_fn(comparisons.len(), budget::DRAWS, |other, k| {
-                let draw = truth.first + k;
+                let draw = t * budget::DRAWS + k;
                 let lead = evidence(truth.index, draw) - evidence(other, draw);
                 u8::from(!self.differ[truth.index][other] || lead >= odds::OPEN.nats())
             })
         };
-        self.truths.iter().map(of).collect()
+        self.truths.iter().enumerate().map(of).collect()
     }
 
     /// The probability that the poses so far decide, whichever explanation is true.
@@ -224,9 +225,9 @@ fn least(now: &[DMatrix<u8>], counts: impl Fn(usize, usize) -> bool) -> f64 {
 
 /// For each pair of explanations whether a diagnosis has to distinguish them: neither has all names of the other, or
 /// one of them differs from the first by the settings of its names alone, and the other from it.
-fn to_distinguish(field: &Field, explanations: &[Explanation]) -> Vec<Vec<bool>> {
+fn to_distinguish(offer: &CandidatePoses, explanations: &[Explanation]) -> Vec<Vec<bool>> {
     let names = |e: &Explanation| -> Vec<(&'static str, usize)> {
-        let added = field.regression.added(&e.fit).into_iter();
+        let added = offer.regression.added(&e.fit).into_iter();
         added.map(|t| (t.effect.about().id, t.joint)).collect()
     };
     let names: Vec<_> = explanations.iter().map(names).collect();

@@ -13,8 +13,9 @@ use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::{Effect, Term, called, find};
 use crate::model::Model;
+use crate::numeric::extent;
 use crate::sessions::Samples;
-use crate::text::{Template, Text};
+use crate::text::Text;
 use crate::{budget, odds};
 
 use super::candidate::Candidate;
@@ -23,10 +24,9 @@ use super::comparison::{Comparison, enough_for};
 use super::covariance;
 use super::every_effect::at_representative_settings;
 use super::exchange::choose;
-use super::field::Field;
 use super::model_separation::ModelSeparation;
 use super::needs::{Need, Untestable, WARMING_C, lacks, test_load_kg};
-use super::reflectors::with_another;
+use super::reflectors::other_reflectors;
 
 /// An effect whose projection orthogonal to the base model has this share (squared) over all candidates is determined
 /// by them.
@@ -43,11 +43,11 @@ pub(crate) fn untestable(
     let points = prepared.problem.observed.is_none();
     let geometry = [Need::Travel, Need::Reflector];
     let geometry = geometry.into_iter().take(1 + usize::from(points));
-    let fields = geometry.map(|need| {
-        let field = move || Field::new(prepared, &offer_for(prepared, &[need], None));
-        (need, LazyCell::new(field))
+    let offers = geometry.map(|need| {
+        let offer = move || offer_for(prepared, &[need], None);
+        (need, LazyCell::new(offer))
     });
-    let fields: Vec<_> = fields.collect();
+    let offers: Vec<_> = offers.collect();
     let base = &prepared.regression.base;
     let one = |n: &NotTestable| {
         let joint = n.joint.unwrap_or(0);
@@ -55,8 +55,8 @@ pub(crate) fn untestable(
             if effect.obstacle(&prepared.survey, joint).is_some() {
                 return lacks(effect, &prepared.survey, joint);
             }
-            let mut fields = fields.iter();
-            let shows = fields.find(|own| not_imitated(&own.1, base, effect, joint));
+            let mut offers = offers.iter();
+            let shows = offers.find(|own| not_imitated(&own.1, base, effect, joint));
             shows.map(|own| own.0).into_iter().collect()
         });
         Untestable {
@@ -70,8 +70,13 @@ pub(crate) fn untestable(
 }
 
 /// Whether the residual of an effect is significant where a model is fitted to it over all candidates.
-fn not_imitated(field: &Field, base: &Model, effect: &'static Effect, joint: usize) -> bool {
-    let rows = field.rows(&base.with_term(small(field, base, effect, joint)), base);
+fn not_imitated(
+    offer: &CandidatePoses,
+    base: &Model,
+    effect: &'static Effect,
+    joint: usize,
+) -> bool {
+    let rows = offer.rows(&base.with_term(small(offer, base, effect, joint)), base);
     let pull = &rows.columns * &rows.difference;
     let all = rows.difference.norm_squared();
     let imitated = pull.dot(&(covariance::given_samples(&rows.information(), &rows) * &pull));
@@ -79,11 +84,19 @@ fn not_imitated(field: &Field, base: &Model, effect: &'static Effect, joint: usi
 }
 
 /// The candidates that meet these needs.
-fn offer_for(prepared: &PreparedSearch, needs: &[Need], load_kg: Option<f64>) -> CandidatePoses {
+fn offer_for<'p>(
+    prepared: &'p PreparedSearch,
+    needs: &[Need],
+    load_kg: Option<f64>,
+) -> CandidatePoses<'p> {
     let session = prepared.problem.session;
     let mut targets = session.targets.clone();
     if needs.contains(&Need::Reflector) && prepared.problem.observed.is_none() {
-        targets = with_another(&session.robot, targets);
+        targets.extend(
+            other_reflectors(&session.robot, &targets)
+                .into_iter()
+                .next(),
+        );
     }
     let mut conditions = Conditions::after(prepared);
     if needs.contains(&Need::Speeds) {
@@ -105,10 +118,8 @@ const SMALL: f64 = 1.5;
 
 /// An effect at a size whose displacement has a root mean square of [`SMALL`] times the noise over the
 /// candidates.
-fn small(field: &Field, model: &Model, effect: &'static Effect, joint: usize) -> Term {
-    let q = &field.inputs.q[joint];
-    let low = q.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = q.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+fn small(offer: &CandidatePoses, model: &Model, effect: &'static Effect, joint: usize) -> Term {
+    let [low, high] = extent(&*offer.inputs.q[joint]);
     let mut term =
         at_representative_settings(effect, joint, 1, &[0.03 * (high - low)], 0.0).swap_remove(0);
     let absent = model.with_term(term.clone());
@@ -117,8 +128,8 @@ fn small(field: &Field, model: &Model, effect: &'static Effect, joint: usize) ->
         .take_while(|(t, _)| !t.same_column(&term))
         .count();
     let size = term.coefficients.len();
-    let energy = &field.rows(model, &absent).squares()[first..first + size];
-    let rows = (field.inputs.len() as f64).max(1.0);
+    let energy = &offer.rows(model, &absent).squares()[first..first + size];
+    let rows = (offer.inputs.len() as f64).max(1.0);
     for (coefficient, energy) in term.coefficients.iter_mut().zip(energy) {
         let rms = (energy / rows).sqrt();
         if rms > 0.0 {
@@ -146,32 +157,29 @@ pub(crate) fn worth_enabling(
     };
     let mut untestable = untestable(prepared, not_testable);
     untestable.retain(|l| l.needs.iter().all(cheap));
-    enable(prepared, fit, &untestable, None, MOST_IN_ADDITION, false)
+    enable(prepared, fit, &untestable, None, MOST_IN_ADDITION)
 }
 
 /// The remaining share of the session's information where it does not state the condition under which it was measured.
 const WEAK: f64 = 0.02;
 
-/// At most `most` poses that make testable what poses can make testable. Where `reflector` is false nothing has
-/// to be mounted.
+/// At most `most` poses that make testable what poses can make testable.
 pub(crate) fn enable(
     prepared: &PreparedSearch,
     fit: &Fit,
     untestable: &[Untestable],
     load_kg: Option<f64>,
     most: usize,
-    reflector: bool,
 ) -> Vec<NextPose> {
     let wanted: Vec<&Untestable> = untestable
         .iter()
         .filter(|l| !l.needs.is_empty() && l.needs.iter().all(|n| n.by_poses()))
-        .filter(|l| reflector || !l.needs.contains(&Need::Reflector))
         .collect();
     if wanted.is_empty() || most == 0 {
         return Vec::new();
     }
     let offer = offer_for(prepared, &needs_of(&wanted, |_| true), load_kg);
-    let comparisons = comparisons(prepared, &offer, &fit.model, &wanted);
+    let comparisons = comparisons(&offer, &fit.model, &wanted);
     let fresh = comparisons.clone();
     let mut parting = ModelSeparation::new(comparisons, offer.candidates.len(), 1);
     let mut order = choose(&mut parting, most);
@@ -182,7 +190,7 @@ pub(crate) fn enable(
         warmth.then(a.load_kg.total_cmp(&b.load_kg))
     });
     let why = |k: usize| {
-        let gain = |c: &Comparison| c.worth(k, |_| true, |_, gain| gain);
+        let gain = |c: &Comparison| c.worth(k, |_, gain| gain);
         let gains: Vec<f64> = fresh.iter().map(gain).collect();
         let largest = gains.iter().copied().fold(0.0, f64::max);
         let shown = wanted.iter().zip(&gains);
@@ -192,9 +200,7 @@ pub(crate) fn enable(
             &offer.candidates[k],
         )
     };
-    let poses = order
-        .into_iter()
-        .flat_map(|k| offer.poses(prepared, k, &why(k)));
+    let poses = order.into_iter().flat_map(|k| offer.poses(k, &why(k)));
     let mut all: Vec<NextPose> = poses.take(most).collect();
     // Where there are warm poses, cold ones are asked for as such.
     if all.iter().any(|p| p.temperature_c.is_some()) {
@@ -215,17 +221,10 @@ fn needs_of(wanted: &[&Untestable], matters: impl Fn(&Need) -> bool) -> Vec<Need
 }
 
 /// Each effect against the model and the effects that are enabled with it, which have to be distinguished as well.
-fn comparisons(
-    prepared: &PreparedSearch,
-    candidates: &CandidatePoses,
-    model: &Model,
-    wanted: &[&Untestable],
-) -> Vec<Comparison> {
-    let field = Field::new(prepared, candidates);
-    let samples = &prepared.problem.session.samples;
+fn comparisons(offer: &CandidatePoses, model: &Model, wanted: &[&Untestable]) -> Vec<Comparison> {
     let term = |one: &&Untestable| {
         let effect = find(one.effect)?;
-        Some(small(&field, model, effect, one.joint.unwrap_or(0)))
+        Some(small(offer, model, effect, one.joint.unwrap_or(0)))
     };
     let terms: Vec<Term> = wanted.iter().filter_map(term).collect();
     let against_others = |(one, term): (&&Untestable, &Term)| {
@@ -233,12 +232,13 @@ fn comparisons(
         let rival = others.fold(model.clone(), |model, t| {
             model.with_term(Term::absent(t.effect, t.joint, t.setting))
         });
+        let samples = &offer.problem.session.samples;
         let unstated = one.needs.iter().any(|need| !is_stated(*need, samples));
         let weight = if unstated { WEAK } else { 1.0 };
         // The effect was there already; the samples so far could not show it.
         let truth = model.with_term(term.clone());
         Comparison::from_the_start(
-            &field,
+            offer,
             [&truth, &rival],
             enough_for(odds::TAKEN.nats(), 0.0),
             weight,
@@ -266,10 +266,7 @@ fn words(shown: &[&Untestable], choice: &Candidate) -> Text {
         Need::Reflector => choice.target > 0,
         _ => true,
     };
-    let needs: Vec<Template> = needs_of(shown, matters)
-        .iter()
-        .map(|n| n.describe())
-        .collect();
+    let needs = needs_of(shown, matters);
     let mut names: Vec<&str> = shown.iter().map(|l| l.effect).collect();
     names.dedup();
     let more = names.len().saturating_sub(budget::LIKELIEST);
@@ -277,7 +274,7 @@ fn words(shown: &[&Untestable], choice: &Candidate) -> Text {
     let how = if needs.is_empty() {
         text!("what the others are compared with")
     } else {
-        Text::listed(needs, "; ")
+        Text::listed(needs.iter().map(|need| need.describe()), "; ")
     };
     let effects = Text::listed(names.into_iter().map(called), ", ");
     if more > 0 {

@@ -24,16 +24,12 @@ pub(crate) fn every_effect(robot: &Robot, ranges: &[Range], middle_s: f64) -> Mo
             }
             let several = ranges.len() > 1;
             let fades = [0.02, 0.08].map(|share| share * (range.to - range.from));
-            match about.setting {
-                setting if setting.takes_fractions() && !several => {
-                    terms.extend(ORDERS.map(|order| Term::absent(effect, joint, order)));
-                }
-                _ => {
-                    let orders = if several { 1 } else { u16::MAX };
-                    terms.extend(at_representative_settings(
-                        effect, joint, orders, &fades, middle_s,
-                    ));
-                }
+            if about.setting.takes_fractions() && !several {
+                terms.extend(ORDERS.map(|order| Term::absent(effect, joint, order)));
+            } else {
+                let orders = if several { 1 } else { u16::MAX };
+                let own = at_representative_settings(effect, joint, orders, &fades, middle_s);
+                terms.extend(own);
             }
         }
     }

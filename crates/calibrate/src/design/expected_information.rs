@@ -7,9 +7,6 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::{Setting, Term};
-use crate::sessions::Session;
-
 use crate::diagnosis::candidates::columns::CandidateSubset;
 use crate::diagnosis::candidates::table::NotTestable;
 use crate::diagnosis::evidence::Fit;
@@ -18,7 +15,7 @@ use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::verdict::limits;
 use crate::diagnosis::verdict::limits::Limit;
 use crate::diagnosis::verdict::not_testable;
-use crate::diagnosis::{DiagnoseError, Options};
+use crate::effects::{Setting, Term};
 use crate::fit::noise::Noise;
 use crate::linear::Basis;
 
@@ -54,12 +51,7 @@ pub struct ExpectedInformation {
 }
 
 /// The information of an imagined session with this noise.
-pub(crate) fn expected(
-    session: &Session,
-    sigma_mm: f64,
-    options: &Options,
-) -> Result<ExpectedInformation, DiagnoseError> {
-    let prepared = PreparedSearch::new(session, options)?;
+pub(crate) fn expected(prepared: &PreparedSearch, sigma_mm: f64) -> ExpectedInformation {
     let regression = prepared.regression.with_noise(Noise::white(sigma_mm));
     let mut fit = regression.fit(&regression.base, &[]);
     // The residual is that of noise of exactly the stated size.
@@ -71,11 +63,11 @@ pub(crate) fn expected(
     let mut not_testable = not_testable(&regression, &fit);
     // Names that belong to every calibration are in the base, not among the candidates.
     not_testable.retain(|n| !crate::fit::DEFAULT_EFFECTS.contains(&n.effect));
-    Ok(ExpectedInformation {
+    ExpectedInformation {
         limits: limits::limits(&regression, &fit),
         alike: alike(&regression, &fit),
         not_testable,
-    })
+    }
 }
 
 /// Pairs of names that look alike at some of their settings.

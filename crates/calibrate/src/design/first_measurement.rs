@@ -21,21 +21,22 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use crate::diagnosis::NextPose;
+use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::effects::Inputs;
-use crate::kinematics::{JointKind, Range, Robot};
+use crate::kinematics::{JointKind, Range};
 use crate::model::Model;
 use crate::rounding;
-use crate::sessions::Target;
 use crate::text::Text;
 
-use super::candidate::typed;
-use super::candidate::{Arrival, Candidate, Writing, anywhere, inputs, usual_speed};
+use super::candidate::{Arrival, Candidate, Writing, anywhere, inputs, ranges, typed, usual_speed};
 use super::covariance::inverse;
 use super::every_effect::every_effect;
 use super::exchange::{Criterion, choose};
-use super::imagined::SECONDS_PER_POSE;
+use super::imagined::{SECONDS_PER_POSE, extended};
 use super::information::Information;
-use super::needs::WARMING_C;
+use super::needs::{WARMING_C, test_load_kg};
+use super::plan::Plan;
+use super::plan_options::PlanOptions;
 use super::rows::Rows;
 
 /// Load in each stretch, as a share of the test load: it is changed twice, and a drift in time cancels.
@@ -54,28 +55,19 @@ const CANDIDATES: [usize; 2] = [12, 160];
 /// One candidate of so many is at an end of the travel, which belongs to it.
 const ENDS_EVERY: usize = 8;
 
-/// What a first measurement is made for.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Request<'r> {
-    pub(crate) robot: &'r Robot,
-    pub(crate) targets: &'r [Target],
-    /// So many of the targets are mounted already.
-    pub(crate) mounted: usize,
-    pub(crate) range: Range,
-    pub(crate) poses: usize,
-    pub(crate) load_kg: f64,
-    pub(crate) seed: u64,
-    /// What was measured already, along which axes.
-    pub(crate) measured: Option<(&'r Inputs<'r>, &'r [usize])>,
-}
-
-/// The poses in measuring order, given what is known.
-pub(crate) fn design(request: &Request) -> Vec<NextPose> {
-    let mut slots = Slots::new(request);
-    choose(&mut slots, request.poses);
+/// So many poses in measuring order of the robot of a plan; where a session was measured in addition to it, and to
+/// the poses that the plan has already.
+pub(crate) fn design(
+    plan: &Plan,
+    poses: usize,
+    options: &PlanOptions,
+    measured: Option<&PreparedSearch>,
+) -> Vec<NextPose> {
+    let mut slots = Slots::new(plan, poses, options, measured);
+    choose(&mut slots, poses);
     let writing = Writing {
-        targets: request.targets,
-        mounted: request.mounted,
+        targets: &plan.targets,
+        mounted: measured.map_or(1, |search| search.problem.session.targets.len()),
         speeds: true,
         loads: slots.planned.iter().any(|c| c.load_kg != 0.0),
         temperatures: true,
@@ -84,45 +76,113 @@ pub(crate) fn design(request: &Request) -> Vec<NextPose> {
     poses.collect()
 }
 
-impl Request<'_> {
+/// The schedule, slot by slot: each has separate candidates.
+struct Slots<'r> {
+    plan: &'r Plan,
+    range: Range,
+    poses: usize,
+    load_kg: f64,
+    /// Circumstances of every slot, without places and sides.
+    schedule: Vec<Candidate>,
+    /// Every effect that the robot can show, and what scales its columns to a root mean square of one.
+    model: Model,
+    scale: DVector<f64>,
+    planned: Vec<Candidate>,
+    candidates: Vec<Candidate>,
+    information: Information,
+    random: ChaCha8Rng,
+}
+
+impl<'r> Slots<'r> {
+    fn new(
+        plan: &'r Plan,
+        poses: usize,
+        options: &PlanOptions,
+        measured: Option<&PreparedSearch>,
+    ) -> Self {
+        let heaviest = measured.map_or(0.0, |search| search.survey.largest_load_kg);
+        let range = ranges(&plan.robot, measured.map(|search| &search.problem.inputs))[0];
+        let middle_s = 0.5 * SECONDS_PER_POSE * poses as f64;
+        let model = every_effect(&plan.robot, &[range], middle_s);
+        let p = model.coefficient_count();
+        let nothing = Rows::zeros(p, std::iter::empty());
+        let mut slots = Self {
+            plan,
+            range,
+            poses,
+            load_kg: test_load_kg(options.load_kg, heaviest),
+            schedule: Vec::new(),
+            information: Information::new(nothing, DMatrix::identity(p, p)),
+            scale: DVector::from_element(p, 1.0),
+            planned: Vec::with_capacity(poses),
+            candidates: Vec::new(),
+            model,
+            random: ChaCha8Rng::seed_from_u64(options.diagnosis.seed ^ 0x5eed),
+        };
+        let pool = slots.pool();
+        slots.schedule = slots.scheduled();
+        let squares = slots.rows(&slots.inputs(&pool), &[0, 1, 2]).squares();
+        let of = |sum: &f64| {
+            if *sum > 0.0 {
+                (f64::from(POOL) / sum).sqrt()
+            } else {
+                0.0
+            }
+        };
+        slots.scale = DVector::from_iterator(p, squares.iter().map(of));
+        if let Some(PreparedSearch {
+            problem,
+            regression,
+            ..
+        }) = measured
+        {
+            let (session, base) = (problem.session, &regression.base);
+            let so_far = extended(session, base, &plan.poses, &plan.targets);
+            let inputs = Inputs::new(&so_far, options.diagnosis.joint_values);
+            let rows = slots.rows(&inputs, &regression.rows.axes);
+            let known = &mut slots.information.covariance;
+            rows.add_to(known, 0..rows.len());
+            *known = inverse(known);
+        }
+        slots.refill();
+        slots
+    }
+
     fn kind(&self) -> JointKind {
-        self.robot.joints[0].kind
+        self.plan.robot.joints[0].kind
     }
 
     fn inputs(&self, candidates: &[Candidate]) -> Inputs<'static> {
-        inputs(
-            self.robot,
-            self.targets,
-            &[self.range],
-            candidates,
-            Some(0.0),
-        )
+        let Plan { robot, targets, .. } = self.plan;
+        inputs(robot, targets, &[self.range], candidates, Some(0.0))
     }
 
     /// Random poses and conditions.
-    fn pool(&self, random: &mut ChaCha8Rng) -> Vec<Candidate> {
-        let targets = u32::try_from(self.targets.len()).unwrap_or(1);
+    fn pool(&mut self) -> Vec<Candidate> {
+        let (range, speed) = (self.range, usual_speed(self.kind()));
+        let targets = u32::try_from(self.plan.targets.len()).unwrap_or(1);
         let duration_s = SECONDS_PER_POSE * self.poses as f64;
-        let mut one = |k: u32| {
+        let random = &mut self.random;
+        let one = |k: u32| {
             let side = if random.random::<bool>() { 1.0 } else { -1.0 };
             Candidate {
                 dir: vec![side],
-                speed: vec![side * usual_speed(self.kind())],
+                speed: vec![side * speed],
                 arrival: [Arrival::Short(0.03), Arrival::Long][usize::from(!k.is_multiple_of(3))],
                 load_kg: f64::from(k % 2),
                 above_20_c: WARMING_C * f64::from(k % 4) / 3.0,
                 target: k % targets,
                 time_s: duration_s * f64::from(k) / f64::from(POOL),
-                ..Candidate::at(anywhere(&[self.range], random))
+                ..Candidate::at(anywhere(&[range], random))
             }
         };
-        (0..POOL).map(&mut one).collect()
+        (0..POOL).map(one).collect()
     }
 
     /// Circumstances of every pose, before its joint value: speeds without their signs, arrivals as they are
     /// wanted (a return may be to any pose).
-    fn schedule(&self, random: &mut ChaCha8Rng) -> Vec<Candidate> {
-        let (n, targets) = (self.poses, self.targets.len());
+    fn scheduled(&mut self) -> Vec<Candidate> {
+        let (n, targets) = (self.poses, self.plan.targets.len());
         // Stretches of ten hold every speed for every reflector once, in random order.
         let mut in_turn: Vec<(f64, u32)> = Vec::new();
         while in_turn.len() < n {
@@ -131,7 +191,7 @@ impl Request<'_> {
                 (SPEEDS[k % SPEEDS.len()], u32::try_from(target).unwrap_or(0))
             };
             let mut stretch: Vec<(f64, u32)> = (0..2 * SPEEDS.len()).map(one).collect();
-            stretch.shuffle(random);
+            stretch.shuffle(&mut self.random);
             in_turn.extend(stretch);
         }
         let slot = |(i, (speed, target)): (usize, (f64, u32))| Candidate {
@@ -150,58 +210,6 @@ impl Request<'_> {
         };
         in_turn.into_iter().take(n).enumerate().map(slot).collect()
     }
-}
-
-/// The schedule, slot by slot: each has separate candidates.
-struct Slots<'r> {
-    request: &'r Request<'r>,
-    /// Circumstances of every slot, without places and sides.
-    schedule: Vec<Candidate>,
-    /// Every effect that the robot can show, and what scales its columns to a root mean square of one.
-    model: Model,
-    scale: DVector<f64>,
-    planned: Vec<Candidate>,
-    candidates: Vec<Candidate>,
-    information: Information,
-    random: ChaCha8Rng,
-}
-
-impl<'r> Slots<'r> {
-    fn new(request: &'r Request<'r>) -> Self {
-        let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
-        let middle_s = 0.5 * SECONDS_PER_POSE * request.poses as f64;
-        let model = every_effect(request.robot, &[request.range], middle_s);
-        let p = model.coefficient_count();
-        let pool = request.pool(&mut random);
-        let nothing = Rows::zeros(p, std::iter::empty());
-        let mut slots = Self {
-            schedule: request.schedule(&mut random),
-            information: Information::new(nothing, DMatrix::identity(p, p)),
-            scale: DVector::from_element(p, 1.0),
-            planned: Vec::with_capacity(request.poses),
-            candidates: Vec::new(),
-            request,
-            model,
-            random,
-        };
-        let squares = slots.rows(&request.inputs(&pool), &[0, 1, 2]).squares();
-        let of = |sum: &f64| {
-            if *sum > 0.0 {
-                (f64::from(POOL) / sum).sqrt()
-            } else {
-                0.0
-            }
-        };
-        slots.scale = DVector::from_iterator(p, squares.iter().map(of));
-        if let Some((measured, axes)) = request.measured {
-            let rows = slots.rows(measured, axes);
-            let known = &mut slots.information.covariance;
-            rows.add_to(known, 0..rows.len());
-            *known = inverse(known);
-        }
-        slots.refill();
-        slots
-    }
 
     /// The scaled columns of every effect.
     fn rows(&self, inputs: &Inputs, axes: &[usize]) -> Rows {
@@ -218,7 +226,7 @@ impl<'r> Slots<'r> {
             return;
         };
         self.candidates = self.next_candidates(&like);
-        let mut inputs = self.request.inputs(&self.candidates);
+        let mut inputs = self.inputs(&self.candidates);
         let travel = self.candidates.iter().map(|c| self.travel(c));
         inputs.travel = vec![Some(travel.collect())];
         let covariance = self.information.covariance.clone();
@@ -237,7 +245,7 @@ impl<'r> Slots<'r> {
 
     /// From 0 at an earlier place to 1 far from all.
     fn gap(&self, choice: &Candidate) -> f64 {
-        let Range { from, to } = self.request.range;
+        let Range { from, to } = self.range;
         let apart = |earlier: &Candidate| ((choice.q[0] - earlier.q[0]) / (to - from)).abs();
         let nearest = self.planned.iter().map(apart).fold(1.0, f64::min);
         let step = 1.0 / (self.planned.len() + 1) as f64;
@@ -246,7 +254,7 @@ impl<'r> Slots<'r> {
 
     /// Poses that may come next.
     fn next_candidates(&mut self, like: &Candidate) -> Vec<Candidate> {
-        let (range, kind, before) = (self.request.range, self.request.kind(), &self.planned);
+        let (range, kind, before) = (self.range, self.kind(), &self.planned);
         let last = before.last();
         let here = last.map_or(0.5 * (range.from + range.to), |last| last.q[0]);
         let reached = |q: f64, arrival: Arrival| {
@@ -285,13 +293,13 @@ impl<'r> Slots<'r> {
                 return vec![some[random.random_range(0..some.len())].clone()];
             }
         }
-        let (p, joints) = (self.scale.len(), self.request.robot.joints.len());
-        let affordable = EFFORT / (3 * p * p * self.request.poses).max(1);
+        let p = self.scale.len();
+        let affordable = EFFORT / (3 * p * p * self.poses).max(1);
         let drawn = (0..affordable.clamp(CANDIDATES[0], CANDIDATES[1])).map(|k| {
             let mut q = anywhere(&[range], random)[0];
             if k % ENDS_EVERY == 0 {
                 // Which joint is drawn as well, so that a seed gives the plan that it always gave.
-                let _ = random.random_range(0..joints);
+                let _ = random.random_range(0..1_usize);
                 q = if random.random::<bool>() {
                     range.from
                 } else {

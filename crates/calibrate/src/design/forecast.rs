@@ -12,6 +12,7 @@
 
 use nalgebra::DMatrix;
 
+use super::candidate_set::free;
 use super::rows::Rows;
 use crate::fit::problem::Problem;
 use crate::fit::ranges::over_the_ranges;
@@ -51,16 +52,11 @@ pub(crate) struct Workspace {
 
 impl Workspace {
     /// `everything` is the information of all that can be measured.
-    pub(crate) fn new(
-        problem: &Problem,
-        model: &Model,
-        columns: &[usize],
-        everything: &DMatrix<f64>,
-    ) -> Self {
+    pub(crate) fn new(problem: &Problem, model: &Model, everything: &DMatrix<f64>) -> Self {
         let inputs = over_the_ranges(problem);
         let all = Rows::of_points([model; 2], &inputs, &[0, 1, 2], [1.0; 3]);
         let reach = model.robot.longest_lever_mm();
-        let steps = model.columns().map(|(term, k)| {
+        let steps = free(model).map(|(_, term, k)| {
             let kind = model.robot.joints[term.joint].kind;
             if term.effect.about().form.turns(k, kind) {
                 1.0 / reach
@@ -68,12 +64,11 @@ impl Workspace {
                 1.0
             }
         });
-        let steps: Vec<f64> = steps.collect();
-        let instrument = &problem.session.instrument;
-        let sigma = KINDS[0].sigma(instrument);
+        let columns: Vec<usize> = free(model).map(|own| own.0).collect();
+        let sigma = KINDS[0].sigma(&problem.session.instrument);
         let mut workspace = Self {
-            rows: all.only(columns),
-            steps: columns.iter().map(|k| steps[*k]).collect(),
+            rows: all.only(&columns),
+            steps: steps.collect(),
             unit_mm: sigma.unwrap_or(KINDS[0].about().usual_sigma),
             shown: 0,
         };

@@ -1,13 +1,15 @@
 //! How well a number of poses determines the geometry of a robot with several joints.
 
 use super::arm::Arm;
-use super::candidate::Candidate;
 use super::candidate_set::CandidateSet;
+use super::conditions::conditioned;
 use super::forecast::{ExpectedError, Forecast};
-use super::plan_options::{MOST, PlanError};
+use crate::diagnosis::{DiagnoseError, NextPose};
 
 /// The expected error is stated for so many poses.
 const CURVE: [usize; 4] = [20, 30, 50, 100];
+/// A wanted accuracy is looked for up to so many poses.
+const MOST: usize = 400;
 /// Sets of random poses that a robot's plan is compared with.
 const RANDOM_SETS: usize = 20;
 
@@ -27,14 +29,19 @@ pub struct Geometry {
     pub enough: Option<(f64, usize)>,
 }
 
-/// Poses that show the geometry best, in no order, and what they do: so many, or as many as bring the 95th
-/// percentile of the expected error below an accuracy.
+/// Poses that show the geometry best, under conditions that show the effects, and what they do: so many, or as many as
+/// bring the 95th percentile of the expected error below an accuracy.
 pub(crate) fn best(
     arm: &Arm,
     poses: usize,
     accuracy_mm: Option<f64>,
-) -> Result<(Vec<Candidate>, Geometry), PlanError> {
-    let set = arm.spread().ok_or(PlanError::Unseen)?;
+) -> Result<(Vec<NextPose>, Geometry), DiagnoseError> {
+    let unseen = || {
+        DiagnoseError::Option(text!(
+            "no pose within the joint limits can be measured: none is seen from where the instrument stands, or brings the target to where it is held; expected limits, a place or a cone that leave some"
+        ))
+    };
+    let set = arm.spread().ok_or_else(unseen)?;
     let count = accuracy_mm.map_or(Ok(poses), |mm| enough(&set, mm))?;
     let end = arm.designed(&set, count);
     let all: Vec<usize> = (0..end.candidates.len()).collect();
@@ -42,7 +49,7 @@ pub(crate) fn best(
         .into_iter()
         .map(|count| (count, set.forecast(&set.chosen(count)).error));
     let geometry = Geometry {
-        parameters: set.parameters(),
+        parameters: set.information.covariance.nrows(),
         before: if set.before > 0 {
             set.forecast(&[])
         } else {
@@ -52,21 +59,26 @@ pub(crate) fn best(
         curve: curve.collect(),
         enough: accuracy_mm.map(|mm| (mm, count)),
     };
-    Ok((end.candidates, geometry))
+    Ok((conditioned(arm, &end.candidates), geometry))
 }
 
 /// The smallest number of poses that reaches an accuracy: greedily first, then with fewer that are
 /// exchanged.
-fn enough(set: &CandidateSet, wanted: f64) -> Result<usize, PlanError> {
+fn enough(set: &CandidateSet, wanted: f64) -> Result<usize, DiagnoseError> {
     let reached = |error: &ExpectedError| error.p95_mm <= wanted;
     if reached(&set.forecast(&[]).error) {
         return Ok(0);
     }
     let trace = set.trace(MOST);
     let reached_at = trace.iter().position(reached);
-    let at = reached_at.ok_or_else(|| PlanError::OutOfReach {
-        wanted,
-        reached: trace.last().map_or(f64::INFINITY, |e| e.p95_mm),
+    let at = reached_at.ok_or_else(|| {
+        let reached = trace.last().map_or(f64::INFINITY, |e| e.p95_mm);
+        DiagnoseError::Option(text!(
+            "--accuracy {wanted}: {most} poses are expected to leave {reached} mm (95th percentile over the joint ranges); expected a larger value, or a smaller --sigma",
+            wanted,
+            most = MOST,
+            reached = format!("{reached:.4}")
+        ))
     })?;
     let (mut few, mut enough) = (at.div_ceil(2), at + 1);
     while few + 1 < enough {

@@ -9,6 +9,9 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::candidate::{Candidate, Writing};
+use super::candidate_set::free;
+use super::measuring_methods::MeasuringMethod;
 use super::rows::Rows;
 use crate::diagnosis::NextPose;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
@@ -20,6 +23,7 @@ use crate::model::Model;
 use crate::observations::streams::predictions;
 use crate::observations::{KINDS, Layer, Seen};
 use crate::sessions::{Instrument, Samples, Session, Sigma, Target};
+use crate::text::Text;
 
 /// New poses are measured so long after the last one, s, and one takes so long.
 pub(crate) const LATER_S: f64 = 60.0;
@@ -79,17 +83,18 @@ pub(crate) fn extended(
     all
 }
 
-/// These poses alone, each measured like that sample of a session.
-pub(crate) fn alone(
+/// A session with these candidates measured too, each in its way and written down like this.
+pub(crate) fn with_candidates(
     session: &Session,
     model: &Model,
-    poses: &[NextPose],
-    like: &[Option<usize>],
+    candidates: &[Candidate],
+    ways: &[MeasuringMethod],
+    writing: &Writing,
 ) -> Session {
+    let poses = candidates.iter().map(|c| writing.pose(c, Text::default()));
+    let like: Vec<_> = candidates.iter().map(|c| ways[c.way].like).collect();
     let mut all = session.clone();
-    extend(&mut all, model, poses, like);
-    let new = session.samples.len()..all.samples.len();
-    all.samples.select(&new.map(Some).collect::<Vec<_>>());
+    extend(&mut all, model, &poses.collect::<Vec<_>>(), &like);
     all
 }
 
@@ -101,7 +106,7 @@ fn target_of(targets: &[Target], pose: &NextPose) -> u32 {
 }
 
 /// Adds samples at these poses, each measured like that one; like none: a point.
-pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like: &[Option<usize>]) {
+fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like: &[Option<usize>]) {
     let n = all.samples.len();
     let targets = &all.targets;
     let samples = &mut all.samples;
@@ -175,18 +180,13 @@ pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like:
 fn show(all: &mut Session, model: &Model, n: usize, like: &[Option<usize>]) {
     let seen = predictions(all, JointValues::Commanded, model);
     for (i, like) in (n..).zip(like) {
-        let Some(like) = *like else {
-            let samples = &mut all.samples;
-            (samples.x_mm[i], samples.y_mm[i]) = (seen[i].0[0], seen[i].0[1]);
-            if let Some(z) = &mut samples.z_mm {
-                z[i] = seen[i].0[2];
-            }
-            continue;
-        };
-        let missing = all.samples.coordinates(like).map(f64::is_nan);
-        let measured = KINDS.iter().filter(|kind| kind.measured(all, like));
-        for kind in measured.collect::<Vec<_>>() {
-            let place = kind.place(all, like);
+        let missing = like.map_or([false; 3], |like| {
+            all.samples.coordinates(like).map(f64::is_nan)
+        });
+        let measured = |k: usize| like.map_or(k == 0, |like| KINDS[k].measured(all, like));
+        let kinds: Vec<usize> = (0..KINDS.len()).filter(|k| measured(*k)).collect();
+        for kind in kinds.into_iter().map(|k| KINDS[k]) {
+            let place = like.and_then(|like| kind.place(all, like));
             let at = place.map_or([0.0; MOST], |place| place_of(all, model, place));
             let seen = Seen {
                 point: seen[i].0,
@@ -232,14 +232,11 @@ pub(crate) fn with_noise(mut session: Session, sigma_mm: f64, seed: u64) -> Sess
     session
 }
 
-/// The information of every sample to be fitted on some coefficients of a model, and that of the priors.
-pub(crate) fn shown(
-    session: &Session,
-    model: &Model,
-    coefficients: &[usize],
-) -> (Rows, DMatrix<f64>) {
+/// The information of every sample to be fitted on the free coefficients of a model, and that of the priors.
+pub(crate) fn shown(session: &Session, model: &Model) -> (Rows, DMatrix<f64>) {
+    let own: Vec<usize> = free(model).map(|own| own.0).collect();
     let layer = Layer::at(session, &Inputs::new(session, JointValues::Commanded));
     let (rows, prior) = Rows::of_layer(&layer, model, [layer.unit_mm; 3]);
-    let prior = prior.select_rows(coefficients).select_columns(coefficients);
-    (rows.only(coefficients), prior)
+    let prior = prior.select_rows(&own).select_columns(&own);
+    (rows.only(&own), prior)
 }

@@ -8,9 +8,10 @@
 
 use nalgebra::{Point3, Vector3};
 
+use super::arm::Arm;
+use super::candidate::Candidate;
+use super::measuring_methods::last_setup;
 use crate::effects::Inputs;
-use crate::model::Model;
-use crate::sessions::Session;
 
 /// A rod takes the sight within this distance, mm.
 pub(crate) const THICK_MM: f64 = 80.0;
@@ -24,69 +25,47 @@ struct SightPose {
     faces: Vector3<f64>,
 }
 
-/// Which poses are visible from an instrument at `from`, in the measuring frame, mm.
-pub(crate) fn seen(
-    session: &Session,
-    model: &Model,
-    poses: &[(&[f64], u32)],
-    from: &[Option<Point3<f64>>],
-    cone_rad: Option<f64>,
-) -> Vec<bool> {
-    let posed = posed(session, model, poses);
-    let visible = |(pose, from): (&SightPose, &Option<Point3<f64>>)| {
-        from.is_none_or(|from| pose.lit(&from) && cone_rad.is_none_or(|c| pose.faces(&from, c)))
-    };
-    posed.iter().zip(from).map(visible).collect()
+/// Whether the instrument that measures a candidate sees its target.
+pub(super) fn seen(arm: &Arm, candidate: &Candidate) -> bool {
+    arm.ways[candidate.way].from.is_none_or(|from| {
+        let pose = posed(arm, candidate);
+        pose.lit(&from) && arm.cone_rad.is_none_or(|cone| pose.faces(&from, cone))
+    })
 }
 
 /// Where joints and targets are, as the model has them: a point of a joint's axis moves with the joints
 /// before it alone.
-fn posed(session: &Session, model: &Model, poses: &[(&[f64], u32)]) -> Vec<SightPose> {
+fn posed(Arm { session, base, .. }: &Arm, Candidate { q, target, .. }: &Candidate) -> SightPose {
     let robot = &session.robot;
     let n = robot.joints.len();
     let home = |p: &Point3<f64>| <[f64; 3]>::from((robot.base_from_tool * p).coords);
-    let mut at_home: Vec<[f64; 3]> = robot
-        .joints
-        .iter()
-        .map(|j| j.axis.point_mm.coords.into())
-        .collect();
+    let axes = robot.joints.iter().map(|j| j.axis.point_mm.coords.into());
+    let mut at_home: Vec<[f64; 3]> = axes.collect();
     at_home.extend([home(&Point3::origin()), home(&Point3::new(0.0, 0.0, 1.0))]);
     at_home.extend(session.targets.iter().map(|t| home(&t.position_mm)));
-    // For each pose its joints one by one, the tool's origin, a point along its z, and the target.
-    let per = n + 3;
+    // Its joints one by one, the tool's origin, a point along its z, and the target.
     let column = |j: usize| {
-        let rows = poses.iter().flat_map(|(q, _)| {
-            (0..per).map(move |row| if row > j || row >= n { q[j] } else { 0.0 })
-        });
-        rows.collect::<Vec<f64>>()
+        (0..n + 3)
+            .map(|row| if row > j { q[j] } else { 0.0 })
+            .collect()
     };
     let mut inputs = Inputs::at_poses((0..n).map(column).collect(), at_home);
-    let point = |row: usize, target: u32| {
-        u32::try_from(row).unwrap_or(0) + if row == per - 1 { target } else { 0 }
-    };
-    let points = poses
-        .iter()
-        .flat_map(|(_, target)| (0..per).map(move |row| point(row, *target)));
-    inputs.target = Some(points.collect());
-    let setup = session.samples.setups.as_ref().and_then(|s| s.index.last());
-    inputs.setup = setup.map(|last| vec![f64::from(*last); per * poses.len()]);
-    let all = model.predict(&inputs);
+    let last = n as u32 + 2;
+    inputs.target = Some((0..last).chain([last + target]).collect());
+    inputs.setup = last_setup(session).map(|last| vec![last; n + 3]);
+    let all = base.predict(&inputs);
     let at = |row: usize| Point3::from(all.get(row));
-    let one = |k: usize| {
-        let first = k * per;
-        let (origin, target) = (at(first + n), at(first + n + 2));
-        let out = target - origin;
-        SightPose {
-            joints: (first..first + n).map(at).collect(),
-            target,
-            faces: if out.norm() > 1.0 {
-                out
-            } else {
-                at(first + n + 1) - origin
-            },
-        }
-    };
-    (0..poses.len()).map(one).collect()
+    let (origin, target) = (at(n), at(n + 2));
+    let out = target - origin;
+    SightPose {
+        joints: (0..n).map(at).collect(),
+        target,
+        faces: if out.norm() > 1.0 {
+            out
+        } else {
+            at(n + 1) - origin
+        },
+    }
 }
 
 impl SightPose {

@@ -20,7 +20,7 @@ use crate::diagnosis::search::mean_sigma_mm;
 use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::verdict::not_testable;
 use crate::diagnosis::{DiagnoseError, NextPose, Watch, checked, prepared, searched};
-use crate::effects::{Inputs, Term};
+use crate::effects::Term;
 use crate::kinematics::Robot;
 use crate::model::{Model, SetUp};
 use crate::observations::KINDS;
@@ -28,18 +28,15 @@ use crate::sessions::{Session, Target};
 use crate::{fewest, rounding};
 
 use super::arm::Arm;
-use super::candidate::ranges;
-use super::conditions::conditioned;
 use super::expected_information::expected;
-use super::first_measurement::{self, Request};
 use super::geometry::{self, Geometry};
 use super::imagined::{extended, unmeasured, with_noise};
-use super::needs::{Untestable, test_load_kg};
-use super::pair_separation::{Separation, separate_two};
+use super::needs::Untestable;
+use super::pair_separation::separate_two;
 use super::plan::{Plan, Subject, USUAL_SIGMA_MM};
-use super::plan_options::{PlanError, PlanOptions};
+use super::plan_options::PlanOptions;
 use super::reflectors::reflectors;
-use super::{enabling_poses, next_poses};
+use super::{enabling_poses, first_measurement, next_poses};
 
 /// Poses of a first measurement of a single joint, where no number is given; of several joints, and in addition to a
 /// session of them.
@@ -54,12 +51,12 @@ pub fn plan_session(
     session: &Session,
     options: &PlanOptions,
     watch: Watch,
-) -> Result<Plan, PlanError> {
+) -> Result<Plan, DiagnoseError> {
     options.check(&session.robot)?;
-    let session = &*session.whole().map_err(DiagnoseError::from)?;
+    let session = &*session.whole()?;
     let between = options.between(&session.robot)?;
     let arm = session.robot.joints.len() > 1;
-    let corrected = checked(session, &options.diagnosis, watch).map_err(DiagnoseError::from)?;
+    let corrected = checked(session, &options.diagnosis, watch)?;
     let session: &Session = &corrected.session;
     let (robot, targets) = (&session.robot, &session.targets);
     let mut plan = Plan::empty(Subject::Session, &session.name, robot, targets);
@@ -98,7 +95,8 @@ pub fn plan_session(
         }
     }
     let with_poses = extended(session, &fit.model, &plan.poses, &plan.targets);
-    plan.expected = expected(&with_poses, plan.sigma_mm, &options.diagnosis)?;
+    let imagined = PreparedSearch::new(&with_poses, &options.diagnosis)?;
+    plan.expected = expected(&imagined, plan.sigma_mm);
     let still = |l: &Untestable| {
         let same = |n: &NotTestable| n.effect == l.effect && n.joint == l.joint;
         plan.expected.not_testable.iter().any(same)
@@ -130,7 +128,7 @@ fn add_what_is_untestable(
     let room = |plan: &Plan| options.poses.map(|n| n - plan.poses.len());
     let most = room(plan).unwrap_or(PROPOSED);
     let load_kg = options.load_kg;
-    let mut more = enabling_poses::enable(prepared, fit, untestable_now, load_kg, most, true);
+    let mut more = enabling_poses::enable(prepared, fit, untestable_now, load_kg, most);
     // A technician mounts one bar.
     if let Some(own) = plan.poses.iter().find(|p| p.target_mm.is_some()) {
         for pose in more.iter_mut().filter(|p| p.target_mm.is_some()) {
@@ -139,24 +137,10 @@ fn add_what_is_untestable(
         }
     }
     plan.add(more);
-    let Some(room) = room(plan).filter(|n| *n > 0) else {
-        return;
-    };
-    let session = prepared.problem.session;
-    let base = &prepared.regression.base;
-    let extended = extended(session, base, &plan.poses, &plan.targets);
-    let inputs = Inputs::new(&extended, prepared.options().joint_values);
-    let sharper = first_measurement::design(&Request {
-        robot: &session.robot,
-        targets: &plan.targets,
-        mounted: session.targets.len(),
-        range: ranges(&session.robot, Some(&prepared.problem.inputs))[0],
-        poses: room,
-        load_kg: test_load_kg(load_kg, prepared.survey.largest_load_kg),
-        seed: options.diagnosis.seed,
-        measured: Some((&inputs, &prepared.regression.rows.axes)),
-    });
-    plan.poses.extend(sharper);
+    if let Some(room) = room(plan).filter(|n| *n > 0) {
+        let sharper = first_measurement::design(plan, room, options, Some(prepared));
+        plan.poses.extend(sharper);
+    }
 }
 
 /// Poses in addition to a session that determine the geometry best.
@@ -164,12 +148,12 @@ fn add_geometry(
     plan: &mut Plan,
     session: &Session,
     options: &PlanOptions,
-) -> Result<(), PlanError> {
+) -> Result<(), DiagnoseError> {
     let room = options.poses.map(|n| n - plan.poses.len());
-    let arm = Arm::of_session(session, options)?.with_planned(&plan.poses);
+    let arm = Arm::of_session(session, &plan.poses, options)?;
     let wanted = room.unwrap_or(POSES_IN_ADDITION);
     let (poses, geometry) = geometry::best(&arm, wanted, options.accuracy_mm)?;
-    plan.poses.extend(conditioned(&arm, &poses));
+    plan.poses.extend(poses);
     plan.geometry = Some(geometry);
     Ok(())
 }
@@ -178,7 +162,7 @@ fn add_geometry(
 ///
 /// # Errors
 /// If an option makes no sense.
-pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanError> {
+pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, DiagnoseError> {
     options.check(robot)?;
     let between = options.between(robot)?;
     let sigma_mm = options.sigma_mm.unwrap_or(USUAL_SIGMA_MM);
@@ -207,8 +191,8 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         decisive.clone_from(&separation.poses);
         plan.separation = Some(separation);
     }
-    let impossible = |separation: &Separation| separation.impossible.is_some();
-    if !plan.separation.as_ref().is_some_and(impossible) {
+    let asked = plan.separation.as_ref();
+    if asked.is_none_or(|separation| separation.impossible.is_none()) {
         let rest = poses - decisive.len();
         (plan.poses, plan.geometry) = first_poses(&plan, rest, options)?;
     }
@@ -217,37 +201,22 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         return Ok(plan);
     }
     let session = measured(&plan.poses, &plan.targets);
-    plan.expected = expected(&session, sigma_mm, &options.diagnosis)?;
     let prepared = PreparedSearch::new(&session, &options.diagnosis)?;
+    plan.expected = expected(&prepared, sigma_mm);
     plan.cannot = enabling_poses::untestable(&prepared, &plan.expected.not_testable);
     Ok(plan)
 }
 
 /// So many poses of a robot that was not measured; of several joints as many as an accuracy needs.
 fn first_poses(
-    Plan {
-        robot,
-        targets,
-        sigma_mm,
-        ..
-    }: &Plan,
+    plan: &Plan,
     count: usize,
     options: &PlanOptions,
-) -> Result<(Vec<NextPose>, Option<Geometry>), PlanError> {
-    if robot.joints.len() > 1 {
-        let arm = Arm::of_robot(robot, targets, *sigma_mm, options);
-        let (poses, geometry) = geometry::best(&arm, count, options.accuracy_mm)?;
-        return Ok((conditioned(&arm, &poses), Some(geometry)));
+) -> Result<(Vec<NextPose>, Option<Geometry>), DiagnoseError> {
+    if plan.robot.joints.len() == 1 {
+        return Ok((first_measurement::design(plan, count, options, None), None));
     }
-    let poses = first_measurement::design(&Request {
-        robot,
-        targets,
-        mounted: 1,
-        range: ranges(robot, None)[0],
-        poses: count,
-        load_kg: test_load_kg(options.load_kg, 0.0),
-        seed: options.diagnosis.seed,
-        measured: None,
-    });
-    Ok((poses, None))
+    let arm = Arm::of_robot(plan, options);
+    let (poses, geometry) = geometry::best(&arm, count, options.accuracy_mm)?;
+    Ok((poses, Some(geometry)))
 }

@@ -4,7 +4,7 @@
 use super::plan_options::PROPOSED;
 use nalgebra::Point3;
 
-use super::candidate::typed;
+use super::candidate::{Candidate, typed};
 use super::imagined::place_of;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::places::{name, stated};
@@ -50,42 +50,49 @@ impl MeasuringMethod {
         Text::listed(self.places.iter().map(one), ", ")
     }
 
-    /// Joint values as a technician types them, or where the target is held where it has to be; none
-    /// within the limits: `None`.
+    /// A pose near these joint values, measured in this way, which is that one of the list: joint values as a
+    /// technician types them, or where the target is held where it has to be; none within the limits: `None`.
     pub(crate) fn brought(
         &self,
+        way: usize,
         session: &Session,
         base: &Model,
         ranges: &[Range],
         mut q: Vec<f64>,
-    ) -> Option<Vec<f64>> {
-        let joints = &session.robot.joints;
-        let Some((kind, place)) = self.held else {
-            for ((q, range), joint) in q.iter_mut().zip(ranges).zip(joints) {
+    ) -> Option<Candidate> {
+        if let Some((kind, place)) = self.held {
+            let columns = q.iter().map(|q| vec![*q]).collect();
+            let mut own = Inputs::at_poses(columns, reflectors_at_home(session));
+            own.target = Some(vec![self.target].into());
+            own.setup = last_setup(session).map(|last| vec![last]);
+            let at = place_of(session, base, place);
+            let there = bring(base, &mut own, |point| {
+                let seen = Seen {
+                    point,
+                    attitude: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+                    place: &at,
+                };
+                let residual = KINDS[kind].residual(session, self.like.unwrap_or(0), &seen);
+                (
+                    residual.left[..residual.rows].to_vec(),
+                    residual.by_point[..residual.rows].to_vec(),
+                )
+            });
+            q = own.q.iter().map(|q| q[0]).collect();
+            let inside = |(q, range): (&f64, &Range)| *q >= range.from && *q <= range.to;
+            if !(there && q.iter().zip(ranges).all(inside)) {
+                return None;
+            }
+        } else {
+            for ((q, range), joint) in q.iter_mut().zip(ranges).zip(&session.robot.joints) {
                 *q = typed(*q, joint.kind).clamp(range.from, range.to);
             }
-            return Some(q);
-        };
-        let columns = q.iter().map(|q| vec![*q]).collect();
-        let mut own = Inputs::at_poses(columns, reflectors_at_home(session));
-        own.target = Some(vec![self.target].into());
-        own.setup = last_setup(session).map(|last| vec![last]);
-        let at = place_of(session, base, place);
-        let there = bring(base, &mut own, |point| {
-            let seen = Seen {
-                point,
-                attitude: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-                place: &at,
-            };
-            let residual = KINDS[kind].residual(session, self.like.unwrap_or(0), &seen);
-            (
-                residual.left[..residual.rows].to_vec(),
-                residual.by_point[..residual.rows].to_vec(),
-            )
-        });
-        let q: Vec<f64> = own.q.iter().map(|q| q[0]).collect();
-        let inside = |(q, range): (&f64, &Range)| *q >= range.from && *q <= range.to;
-        (there && q.iter().zip(ranges).all(inside)).then_some(q)
+        }
+        Some(Candidate {
+            target: self.target,
+            way,
+            ..Candidate::at(q)
+        })
     }
 }
 
@@ -97,26 +104,21 @@ pub(crate) fn last_setup(session: &Session) -> Option<f64> {
 
 /// The different ways in which the samples were measured; `from` is the place of an instrument that is no station.
 pub(crate) fn ways(session: &Session, from: Option<Point3<f64>>) -> Vec<MeasuringMethod> {
-    let mut known: Vec<(MeasuredKinds, u32)> = Vec::new();
-    let mut ways = Vec::new();
+    let mut ways: Vec<MeasuringMethod> = Vec::new();
     for sample in 0..session.samples.len() {
-        let measured = KINDS
-            .iter()
-            .enumerate()
-            .filter(|(_, kind)| kind.measured(session, sample));
-        let kinds: Vec<_> = measured
-            .map(|(k, kind)| (k, kind.place(session, sample)))
-            .collect();
+        let all = KINDS.iter().enumerate();
+        let measured = all.filter(|(_, kind)| kind.measured(session, sample));
+        let kinds = measured.map(|(k, kind)| (k, kind.place(session, sample)));
+        let kinds: MeasuredKinds = kinds.collect();
         let target = session.samples.target.as_ref().map_or(0, |t| t[sample]);
-        let key = (kinds, target);
-        if key.0.is_empty() || known.contains(&key) || ways.len() >= PROPOSED {
+        let mut known = ways.iter();
+        if kinds.is_empty() || known.any(|way| way.places == kinds && way.target == target) {
             continue;
         }
-        let places = || {
-            key.0
-                .iter()
-                .filter_map(|(k, place)| place.map(|place| (*k, place)))
-        };
+        if ways.len() >= PROPOSED {
+            break;
+        }
+        let places = || kinds.iter().filter_map(|(k, place)| Some((*k, (*place)?)));
         let station = places().find(|(_, place)| place.kind == PlaceKind::Station);
         let position = station.and_then(|(_, place)| {
             let at = stated(&session.instrument.references, place);
@@ -125,11 +127,10 @@ pub(crate) fn ways(session: &Session, from: Option<Point3<f64>>) -> Vec<Measurin
         ways.push(MeasuringMethod {
             like: Some(sample),
             target,
-            places: key.0.clone(),
             held: places().find(|(k, _)| KINDS[*k].about().holds),
             from: position.or(from),
+            places: kinds,
         });
-        known.push(key);
     }
     ways
 }

@@ -24,52 +24,45 @@
     reason = "indices come from small non-negative numbers"
 )]
 
-pub(crate) mod enabling_poses;
-pub(crate) mod expected_information;
-#[doc(hidden)]
-pub mod forecast;
-#[doc(hidden)]
-pub mod geometry;
-#[doc(hidden)]
-pub mod needs;
-#[doc(hidden)]
-pub mod next_poses;
-#[doc(hidden)]
-pub mod pair_separation;
-#[doc(hidden)]
-pub mod plan;
-
 mod arm;
 mod candidate;
 mod candidate_poses;
 mod candidate_set;
 mod comparison;
-#[doc(hidden)]
-pub mod conditions;
+mod conditions;
 mod covariance;
 mod decision;
+mod enabling_poses;
 mod every_effect;
 mod exchange;
-mod field;
+mod expected_information;
 mod first_measurement;
+mod forecast;
+mod geometry;
 mod imagined;
 mod information;
 mod line_of_sight;
 mod making;
 mod measuring_methods;
 mod model_separation;
-mod named;
+mod needs;
+mod next_poses;
+mod pair_separation;
 mod path;
+mod plan;
 mod plan_options;
 mod reflectors;
 mod rows;
 
+#[doc(hidden)]
+pub use conditions::approach;
 pub use expected_information::{Alike, ExpectedInformation};
 pub use forecast::{ExpectedError, Forecast};
 pub use geometry::Geometry;
 pub use making::{plan_robot, plan_session};
-pub use named::Named;
 pub use needs::{Need, Untestable};
+#[doc(hidden)]
+pub use next_poses::propose;
 pub use pair_separation::Separation;
 pub use plan::{Plan, Subject};
-pub use plan_options::{PlanError, PlanOptions};
+pub use plan_options::PlanOptions;

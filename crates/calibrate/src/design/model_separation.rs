@@ -3,7 +3,6 @@
 
 use crate::diagnosis::NextPose;
 use crate::diagnosis::search::prepare::PreparedSearch;
-use crate::effects::survey::JointSurvey;
 use crate::kinematics::{Joint, JointKind};
 use crate::sessions::Target;
 use crate::text::Text;
@@ -56,8 +55,7 @@ impl Criterion for ModelSeparation {
         let one =
             |c: &ModelDistance, gain: f64| gain.min(c.enough - c.delta).max(0.0) / (1.0 + c.delta);
         let open: Vec<&Comparison> = self.comparisons.iter().filter(|c| !c.decided()).collect();
-        let undecided = |c: &ModelDistance| !c.decided();
-        let worth = |k: usize| open.iter().map(|c| c.worth(k, undecided, one)).sum();
+        let worth = |k: usize| open.iter().map(|c| c.worth(k, one)).sum();
         let free = |k: usize| self.taken[k] < self.repeats;
         let all = 0..self.taken.len();
         all.map(|k| if free(k) { worth(k) } else { 0.0 }).collect()
@@ -91,8 +89,8 @@ impl Criterion for ModelSeparation {
 }
 
 /// Poses for one set of reflectors.
-pub(crate) struct Attempt {
-    pub(crate) candidates: CandidatePoses,
+pub(crate) struct Attempt<'p> {
+    pub(crate) candidates: CandidatePoses<'p>,
     /// The candidates that were chosen.
     pub(crate) order: Vec<usize>,
     /// Pairs of models that none of the candidates part.
@@ -102,15 +100,10 @@ pub(crate) struct Attempt {
     pub(crate) score: f64,
 }
 
-impl Attempt {
+impl Attempt<'_> {
     /// The poses that were chosen, at most `most`.
-    pub(crate) fn poses(
-        &self,
-        prepared: &PreparedSearch,
-        why: &Text,
-        most: usize,
-    ) -> Vec<NextPose> {
-        let joints = &prepared.problem.session.robot.joints;
+    pub(crate) fn poses(&self, why: &Text, most: usize) -> Vec<NextPose> {
+        let joints = &self.candidates.regression.base.robot.joints;
         let place = |(q, joint): (&f64, &Joint)| match joint.kind {
             JointKind::Revolute => format!("{:.1}°", joint.kind.to_display(*q)),
             JointKind::Prismatic => format!("{q:.1} mm"),
@@ -123,7 +116,7 @@ impl Attempt {
                 .map(place);
             let places = places.collect::<Vec<String>>().join(", ");
             let why = text!("{why}: they differ most at {places}", why, places);
-            self.candidates.poses(prepared, *k, &why)
+            self.candidates.poses(*k, &why)
         });
         poses.take(most).collect()
     }
@@ -142,18 +135,15 @@ impl Attempt {
 
 /// The best attempt: with the session's reflectors where these decide, else where there is but one perhaps
 /// with one of the places for another.
-pub(crate) fn over_reflectors<T>(
+pub(crate) fn over_reflectors<'p, T>(
     prepared: &PreparedSearch,
-    attempt: impl Fn(Vec<Target>) -> (Attempt, T),
-) -> (Attempt, T) {
+    attempt: impl Fn(Vec<Target>) -> (Attempt<'p>, T),
+) -> (Attempt<'p>, T) {
     let session = prepared.problem.session;
     let mut best = attempt(session.targets.clone());
-    let turns = |j: &JointSurvey| j.kind == JointKind::Revolute;
     // Another reflector is offered where points are measured: to an anchor or a socket it is another
     // machine.
-    let points = prepared.problem.observed.is_none();
-    let fixed = !points || session.targets.len() > 1 || !prepared.survey.joints.iter().any(turns);
-    if best.0.decides || fixed {
+    if best.0.decides || prepared.problem.observed.is_some() {
         return best;
     }
     for other in other_reflectors(&session.robot, &session.targets) {

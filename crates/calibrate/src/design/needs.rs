@@ -9,12 +9,8 @@ use crate::text::{Template, Text};
 const TEST_LOAD_KG: f64 = 3.0;
 /// A load for a test: as asked for, else the heaviest of the session, where it has any.
 pub(crate) fn test_load_kg(asked: Option<f64>, heaviest: f64) -> f64 {
-    let own = if heaviest > 0.0 {
-        heaviest
-    } else {
-        TEST_LOAD_KG
-    };
-    asked.unwrap_or(own)
+    let heaviest = Some(heaviest).filter(|kg| *kg > 0.0);
+    asked.or(heaviest).unwrap_or(TEST_LOAD_KG)
 }
 
 /// How much warmer a warm machine is, K.

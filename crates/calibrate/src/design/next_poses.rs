@@ -15,6 +15,7 @@ use crate::diagnosis::search::prepare::PreparedSearch;
 use crate::diagnosis::search::{MANY_NAMES, aliases};
 use crate::diagnosis::verdict::{Proposal, Undecided};
 use crate::effects::{Condition, Over, Term, called};
+use crate::numeric::extent;
 use crate::text::Text;
 
 use super::candidate::Arrival;
@@ -23,7 +24,6 @@ use super::comparison::ModelDistance;
 use super::decision::{Decision, Explanation, SURE};
 use super::enabling_poses;
 use super::exchange::choose;
-use super::field::Field;
 use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
 use super::plan_options::MOST_JOINTS;
 
@@ -51,10 +51,10 @@ pub(crate) fn separate(
     prepared.regression.forget();
     let (best, ()) = over_reflectors(prepared, |targets| {
         let offer = CandidatePoses::new(prepared, targets, &conditions);
-        (attempt(prepared, offer, &competing, most), ())
+        (attempt(offer, &competing, most), ())
     });
     let why = why(rivals);
-    let mut poses = best.poses(prepared, &why, most);
+    let mut poses = best.poses(&why, most);
     for k in 0..poses.len() {
         let (before, rest) = poses.split_at_mut(k);
         if before.iter().any(|earlier| rest[0].repeats(earlier)) {
@@ -105,9 +105,7 @@ pub(crate) fn conditions(prepared: &PreparedSearch, terms: &[&Term]) -> Conditio
     }
     let warmth = prepared.problem.inputs.above_20_c.as_ref();
     if let Some(warmth) = warmth.filter(|_| distinguished_by(Condition::Temperature)) {
-        let low = warmth.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = warmth.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        conditions.above_20_c = vec![low, high];
+        conditions.above_20_c = extent(warmth).to_vec();
         conditions.above_20_c.dedup();
     }
     if distinguished_by(Condition::Approach) {
@@ -123,25 +121,20 @@ fn competing(prepared: &PreparedSearch, fit: &Fit, open: &[&Rival]) -> Vec<Expla
     let regression = &prepared.regression;
     let many = regression.added(fit).len() > MANY_NAMES;
     let most = if many { budget::LISTED } else { MOST_COMPETING };
+    let own = || [fit].into_iter().chain(open.iter().map(|rival| &rival.fit));
+    let near = own().take(1 + budget::LIKELIEST);
+    let near = near.flat_map(|one| aliases::rivals(regression, one));
+    let near = near
+        .filter(Rival::other_names)
+        .map(|near| (near.fit, false));
     let mut all: Vec<Explanation> = Vec::new();
-    let mut join = |fit: &Fit, open: bool| {
-        if all.len() < most && !all.iter().any(|a| same_terms(&a.fit, fit)) {
-            let fit = fit.clone();
+    for (fit, open) in own().map(|fit| (fit.clone(), true)).chain(near) {
+        if !all.iter().any(|a| same_terms(&a.fit, &fit)) {
             all.push(Explanation { fit, open });
         }
-        all.len() < most
-    };
-    let fits = || open.iter().map(|rival| &rival.fit);
-    let mut room = join(fit, true);
-    fits().for_each(|rival| room = join(rival, true));
-    for one in [fit].into_iter().chain(fits().take(budget::LIKELIEST)) {
-        if !room {
+        // More are not even looked for.
+        if all.len() == most {
             break;
-        }
-        for near in aliases::rivals(regression, one) {
-            if near.other_names() {
-                room = join(&near.fit, false);
-            }
         }
     }
     all
@@ -154,14 +147,8 @@ fn same_terms(one: &Fit, other: &Fit) -> bool {
 }
 
 /// Poses one after the other until they decide often enough, or `most` are chosen.
-fn attempt(
-    prepared: &PreparedSearch,
-    candidates: CandidatePoses,
-    all: &[Explanation],
-    most: usize,
-) -> Attempt {
-    let field = Field::new(prepared, &candidates);
-    let (decision, comparisons) = Decision::new(&field, all);
+fn attempt<'p>(candidates: CandidatePoses<'p>, all: &[Explanation], most: usize) -> Attempt<'p> {
+    let (decision, comparisons) = Decision::new(&candidates, all);
     let mut parting = ModelSeparation::new(comparisons, candidates.candidates.len(), REPEATS);
     let enough: Vec<f64> = parting.distances().map(|c| c.enough.max(1.0)).collect();
     parting.decision = Some(decision);

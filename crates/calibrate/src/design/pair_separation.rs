@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::diagnosis::NextPose;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::prepare::PreparedSearch;
-use crate::effects::{Term, called, find};
+use crate::effects::{Effect, Term, called};
 use crate::model::Model;
 use crate::text::Text;
 
@@ -24,9 +24,7 @@ use super::comparison::{Comparison, ModelDistance, enough_for};
 use super::covariance::inverse;
 use super::every_effect::at_representative_settings;
 use super::exchange::choose;
-use super::field::Field;
 use super::model_separation::{Attempt, ModelSeparation, over_reflectors};
-use super::named::Named;
 use super::needs::all_met;
 use super::next_poses::conditions;
 use super::rows::Rows;
@@ -34,15 +32,18 @@ use super::rows::Rows;
 /// λ of an effect that is just seen.
 const JUST_SEEN: f64 = 40.0;
 
+/// An effect, and its joint counted from 0.
+pub(crate) type OnJoint = (&'static Effect, usize);
+
 /// Poses that distinguish two effects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Separation {
-    /// The two.
-    pub between: [Named; 2],
+    /// The two: the effect's name, and its joint counted from 0 where it has one.
+    pub between: [(&'static str, Option<usize>); 2],
     /// Share of each that the other cannot imitate in the samples so far, 0 to 1 (squared).
-    pub left_before: [f64; 2],
+    pub left_before: Vec<f64>,
     /// The same with the poses measured too, 0 to 1.
-    pub left_after: [f64; 2],
+    pub left_after: Vec<f64>,
     /// Whether both are distinguished at the size at which they would just be detected.
     pub decided: bool,
     /// Why no pose does it; `None` where poses do.
@@ -51,37 +52,34 @@ pub struct Separation {
     pub poses: Vec<NextPose>,
 }
 
-impl Separation {
-    /// No pose does it.
-    fn none(between: [Named; 2], because: Text) -> Self {
-        Self {
-            between,
-            left_before: [0.0; 2],
-            left_after: [0.0; 2],
-            decided: false,
-            impossible: Some(because),
-            poses: Vec::new(),
-        }
-    }
-}
-
 /// See the module. At most `most` poses; none where one of the effects cannot be seen by any measurement.
 pub(crate) fn separate_two(
     prepared: &PreparedSearch,
     fit: &Fit,
-    between: [Named; 2],
+    between: [OnJoint; 2],
     most: usize,
 ) -> Separation {
+    let mut separation = Separation {
+        between: between.map(|(effect, joint)| {
+            let about = effect.about();
+            (about.id, about.per_joint.then_some(joint))
+        }),
+        left_before: vec![0.0; 2],
+        left_after: vec![0.0; 2],
+        decided: false,
+        impossible: None,
+        poses: Vec::new(),
+    };
+    let [one, other] = separation.between.map(|(id, _)| called(id));
     let met = all_met(&prepared.survey);
-    for named in between {
-        let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
-        if let Some(because) = obstacle {
-            let because = text!(
+    for ((effect, joint), words) in between.into_iter().zip([&one, &other]) {
+        if let Some(because) = effect.obstacle(&met, joint) {
+            separation.impossible = Some(text!(
                 "{effect} cannot be seen: {because}",
-                effect = called(named.id),
+                effect = words,
                 because
-            );
-            return Separation::none(between, because);
+            ));
+            return separation;
         }
     }
     let base = fit.model.without(|t| between.iter().any(|b| is(t, *b)));
@@ -90,86 +88,69 @@ pub(crate) fn separate_two(
     let conditions = conditions(prepared, &shown);
     let (best, shares) = over_reflectors(prepared, |targets| {
         let offer = CandidatePoses::new(prepared, targets, &conditions);
-        attempt(prepared, offer, &base, &terms, most)
+        attempt(offer, &base, &terms, most)
     });
-    let left_before = shares.remaining[0];
+    separation.left_before = shares.left_before;
     if shares.possible < COPY {
-        let because = text!(
+        separation.impossible = Some(text!(
             "wherever they are measured, with a second reflector too, each looks like the other"
-        );
-        return Separation {
-            left_before,
-            ..Separation::none(between, because)
-        };
+        ));
+        return separation;
     }
-    let why = text!(
-        "distinguishes {one} from {other}",
-        one = called(between[0].id),
-        other = called(between[1].id)
-    );
-    Separation {
-        between,
-        left_before,
-        left_after: shares.remaining[1],
-        decided: best.decides,
-        impossible: None,
-        poses: best.poses(prepared, &why, most),
-    }
+    let why = text!("distinguishes {one} from {other}", one, other);
+    separation.left_after = shares.left_after;
+    separation.decided = best.decides;
+    separation.poses = best.poses(&why, most);
+    separation
 }
 
-fn is(term: &Term, named: Named) -> bool {
+fn is(term: &Term, (effect, joint): OnJoint) -> bool {
     let about = term.effect.about();
-    about.id == named.id && (!about.per_joint || term.joint == named.joint)
+    about.id == effect.about().id && (!about.per_joint || term.joint == joint)
 }
 
 /// Shares of the two that the other cannot imitate.
 struct Shares {
     /// Of the worse of the two over everything that is offered.
     possible: f64,
-    /// Before and after.
-    remaining: [[f64; 2]; 2],
+    left_before: Vec<f64>,
+    left_after: Vec<f64>,
 }
 
-fn attempt(
-    prepared: &PreparedSearch,
-    candidates: CandidatePoses,
+fn attempt<'p>(
+    candidates: CandidatePoses<'p>,
     base: &Model,
     terms: &[Vec<Term>; 2],
     most: usize,
-) -> (Attempt, Shares) {
-    let field = Field::new(prepared, &candidates);
-    let mut shares = Shares {
-        possible: 1.0,
-        remaining: [[1.0; 2]; 2],
-    };
-    let (mut comparisons, mut pairs) = (Vec::new(), Vec::new());
-    for k in 0..2 {
-        // Of all settings the pair that is hardest to part.
+) -> (Attempt<'p>, Shares) {
+    // Of all settings the pair that is hardest to part.
+    let hardest = |k: usize| {
         let settings = terms[k].iter().flat_map(|one| {
             let others = terms[1 - k].iter();
             others.map(move |other| [one, other])
         });
-        let hardest = settings
-            .map(|two| Pair::new(&field, base, two))
-            .min_by(|a, b| a.possible.total_cmp(&b.possible));
-        if let Some(pair) = hardest {
-            shares.possible = shares.possible.min(pair.possible);
-            let (before, comparison) = pair.comparison(&field, base);
-            shares.remaining[0][k] = before;
-            comparisons.push(comparison);
-            pairs.push((k, pair));
-        }
-    }
+        settings
+            .map(|two| Pair::new(&candidates, base, two))
+            .min_by(|a, b| a.possible.total_cmp(&b.possible))
+    };
+    let pairs: Vec<Pair> = (0..2).filter_map(hardest).collect();
+    let compared = pairs.iter().map(|pair| pair.comparison(&candidates, base));
+    let (left_before, comparisons) = compared.unzip();
     let mut parting = ModelSeparation::new(comparisons, candidates.candidates.len(), 2);
     let order = choose(&mut parting, most);
-    for (k, pair) in &pairs {
+    let after = |pair: &Pair| {
         let mut all = pair.known.clone();
         pair.rows.add_to(&mut all, order.iter().copied());
-        shares.remaining[1][*k] = pair.worst(&all).0;
-    }
+        pair.worst(&all).0
+    };
+    let shares = Shares {
+        possible: pairs.iter().map(|p| p.possible).fold(1.0, f64::min),
+        left_before,
+        left_after: pairs.iter().map(after).collect(),
+    };
     let least = parting.distances().map(ModelDistance::share);
     let attempt = Attempt {
-        decides: !parting.comparisons.is_empty() && parting.parted(),
+        decides: parting.parted(),
         score: least.fold(1.0, f64::min),
         unparted: 0,
         order,
@@ -179,10 +160,8 @@ fn attempt(
 }
 
 /// Representative settings of an effect: its own where the model has it.
-fn terms_of(prepared: &PreparedSearch, fit: &Fit, named: Named) -> Vec<Term> {
-    let Some(effect) = find(named.id) else {
-        return Vec::new();
-    };
+fn terms_of(prepared: &PreparedSearch, fit: &Fit, named: OnJoint) -> Vec<Term> {
+    let (effect, joint) = named;
     let there = fit.model.terms().iter().filter(|t| is(t, named));
     let there: Vec<Term> = there
         .map(|t| Term::absent(effect, t.joint, t.setting))
@@ -191,11 +170,11 @@ fn terms_of(prepared: &PreparedSearch, fit: &Fit, named: Named) -> Vec<Term> {
         return there;
     }
     let inputs = &prepared.problem.inputs;
-    let range = ranges(&prepared.problem.session.robot, Some(inputs))[named.joint];
+    let range = ranges(&prepared.problem.session.robot, Some(inputs))[joint];
     let times = inputs.time_s.as_deref().unwrap_or(&[]);
     let middle_s = 0.5 * times.iter().copied().fold(0.0, f64::max);
     let fades = [0.03 * (range.to - range.from)];
-    at_representative_settings(effect, named.joint, 6, &fades, middle_s)
+    at_representative_settings(effect, joint, 6, &fades, middle_s)
 }
 
 /// A base model with both effects, absent, where their columns are, and what samples and candidates show of them.
@@ -214,7 +193,7 @@ struct Pair {
 }
 
 impl Pair {
-    fn new(field: &Field, base: &Model, [one, other]: [&Term; 2]) -> Self {
+    fn new(offer: &CandidatePoses, base: &Model, [one, other]: [&Term; 2]) -> Self {
         let both = base.with_term(one.clone()).with_term(other.clone());
         let of = |wanted: &dyn Fn(&Term) -> bool| -> Vec<usize> {
             let columns = both.columns().enumerate();
@@ -223,13 +202,13 @@ impl Pair {
         };
         let rest = of(&|t| !t.same_column(one) && !t.same_column(other));
         let theirs = of(&|t| t.same_column(other) && !t.same_column(one));
-        let rows = field.rows(base, &both);
+        let rows = offer.rows(base, &both);
         let mut pair = Self {
             own: of(&|t| t.same_column(one)),
             given: rest.iter().chain(&theirs).copied().collect(),
             rest,
             terms: [one.clone(), other.clone()],
-            known: field.gram(&both),
+            known: offer.gram(&both),
             everywhere: rows.information(),
             rows,
             possible: 0.0,
@@ -240,7 +219,7 @@ impl Pair {
 
     /// The remaining share in the samples, and the one in the shape that the other imitates best, at the size at which
     /// it is just detected, against the other.
-    fn comparison(&self, field: &Field, base: &Model) -> (f64, Comparison) {
+    fn comparison(&self, offer: &CandidatePoses, base: &Model) -> (f64, Comparison) {
         let weak = &self.everywhere * (POSES_OF_AN_ARM as f64 / self.rows.len().max(1) as f64);
         let (before, mut direction) = self.worst(&self.known);
         let mut strength = self.strength(&self.known, &direction);
@@ -255,7 +234,7 @@ impl Pair {
             ..one
         });
         let (rival, enough) = (base.with_term(other), enough_for(odds::OPEN.nats(), 0.0));
-        let comparison = Comparison::from_the_start(field, [&truth, &rival], enough, 1.0);
+        let comparison = Comparison::from_the_start(offer, [&truth, &rival], enough, 1.0);
         (before, comparison)
     }
 

@@ -1,4 +1,4 @@
-//! The options of a plan, and why there is none.
+//! The options of a plan.
 
 use nalgebra::Point3;
 use std::f64::consts::PI;
@@ -6,11 +6,12 @@ use std::f64::consts::PI;
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::document::ranges::SMALLEST_SIGMA;
+use crate::effects::CATALOGUE;
 use crate::kinematics::Robot;
 use crate::text::Text;
 use crate::units::{LARGEST_LENGTH_MM, LARGEST_NUMBER};
 
-use super::named::Named;
+use super::pair_separation::OnJoint;
 
 /// Poses that are proposed in addition to a session, and ways of measuring that are tried, at most.
 pub(super) const PROPOSED: usize = 24;
@@ -46,80 +47,18 @@ pub struct PlanOptions {
     pub diagnosis: Options,
 }
 
-/// Why there is no plan.
-#[derive(Debug, Clone, PartialEq)]
-pub enum PlanError {
-    /// A robot, an option, or options together, that make no sense.
-    Option(Text),
-    /// An accuracy that no number of poses reaches.
-    OutOfReach {
-        /// What was asked for, mm.
-        wanted: f64,
-        /// What most poses reach, mm.
-        reached: f64,
-    },
-    /// No pose can be measured.
-    Unseen,
-    /// A joint that is not there, or not a number.
-    Joint {
-        /// What was given.
-        input: String,
-        /// Number of joints.
-        joints: usize,
-    },
-    /// The diagnosis failed.
-    Diagnose(DiagnoseError),
-}
-
-impl PlanError {
-    /// In words.
-    pub fn describe(&self) -> Text {
-        match self {
-            Self::Option(text) => text.clone(),
-            Self::OutOfReach { wanted, reached } => text!(
-                "--accuracy {wanted}: {most} poses are expected to leave {reached} mm (95th percentile over the joint ranges); expected a larger value, or a smaller --sigma",
-                wanted,
-                most = MOST,
-                reached = format!("{:.4}", reached)
-            ),
-            Self::Unseen => text!(
-                "no pose within the joint limits can be measured: none is seen from where the instrument stands, or brings the target to where it is held; expected limits, a place or a cone that leave some"
-            ),
-            Self::Joint {
-                input: given,
-                joints,
-            } => text!(
-                "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1",
-                given,
-                joints
-            ),
-            Self::Diagnose(inner) => inner.describe(),
-        }
-    }
-}
-
-displays_what_it_says!(PlanError);
-
-impl std::error::Error for PlanError {}
-
-impl From<DiagnoseError> for PlanError {
-    fn from(error: DiagnoseError) -> Self {
-        Self::Diagnose(error)
-    }
-}
-
 impl PlanOptions {
     /// Whether the options make sense for this robot, and a plan for it comes to an end.
-    pub(crate) fn check(&self, robot: &Robot) -> Result<(), PlanError> {
+    pub(crate) fn check(&self, robot: &Robot) -> Result<(), DiagnoseError> {
         let problem = self.problem();
         if let Some(text) = problem.or_else(|| self.not_for(robot)) {
-            return Err(PlanError::Option(text));
+            return Err(DiagnoseError::Option(text));
         }
         let is_place = |p: &Point3<f64>| p.iter().all(|x| x.abs() <= LARGEST_LENGTH_MM);
         let refused = |field: &'static str, found: Text, expected: Text| {
             let place = Place::default().in_field(field);
             let wrong = Diagnostic::error(place, found, expected);
-            Err(DiagnoseError::from(Rejected::because(wrong)).into())
+            Err(Rejected::because(wrong).into())
         };
         if !self.instrument_mm.as_ref().is_none_or(is_place) {
             let found = text!("a position that is not finite or too large");
@@ -136,7 +75,7 @@ impl PlanOptions {
         }
         match robot.out_of_range(&Place::default()) {
             problems if problems.is_empty() => Ok(()),
-            problems => Err(DiagnoseError::from(Rejected::of(problems)).into()),
+            problems => Err(Rejected::of(problems).into()),
         }
     }
 
@@ -211,40 +150,36 @@ impl PlanOptions {
     }
 
     /// The two effects, found in the catalogue.
-    pub(crate) fn between(&self, robot: &Robot) -> Result<Option<[Named; 2]>, PlanError> {
+    pub(crate) fn between(&self, robot: &Robot) -> Result<Option<[OnJoint; 2]>, DiagnoseError> {
         let joints = robot.joints.len();
-        let Some(two) = &self.separate else {
+        let Some([one, other]) = &self.separate else {
             return Ok(None);
         };
-        let named = |given: &String| -> Result<Named, PlanError> {
+        let named = |given: &String| -> Result<OnJoint, DiagnoseError> {
             let (id, joint) = given.split_once(':').unwrap_or((given, "1"));
-            let in_catalogue = crate::effects::CATALOGUE.iter();
-            let effect = in_catalogue
-                .map(|e| e.about().id)
-                .find(|known| *known == id)
+            let mut catalogue = CATALOGUE.iter().copied();
+            let effect = catalogue
+                .find(|effect| effect.about().id == id)
                 .ok_or_else(|| DiagnoseError::UnknownEffect(id.to_owned()))?;
             let number = joint.parse::<usize>().ok();
-            let joint = number.filter(|j| (1..=joints).contains(j));
-            let wrong = || PlanError::Joint {
-                input: given.clone(),
-                joints,
-            };
-            Ok(Named {
-                id: effect,
-                joint: joint.ok_or_else(wrong)? - 1,
-            })
+            let joint = number.filter(|j| (1..=joints).contains(j)).ok_or_else(|| {
+                DiagnoseError::Option(text!(
+                    "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1",
+                    given,
+                    joints
+                ))
+            })?;
+            Ok((effect, joint - 1))
         };
-        let [one, other] = [named(&two[0])?, named(&two[1])?];
-        if one == other {
-            return Err(PlanError::Option(text!(
+        let two = [named(one)?, named(other)?];
+        let [first, second] = two.map(|(effect, joint)| (effect.about().id, joint));
+        if first == second {
+            return Err(DiagnoseError::Option(text!(
                 "--separate {one},{other}: expected two different effects",
-                one = &two[0],
-                other = &two[0]
+                one,
+                other = one
             )));
         }
-        Ok(Some([one, other]))
+        Ok(Some(two))
     }
 }
-
-/// A wanted accuracy is looked for up to so many poses.
-pub(crate) const MOST: usize = 400;

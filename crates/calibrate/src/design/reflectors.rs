@@ -10,19 +10,15 @@ use crate::sessions::Target;
 /// How far from the first reflector a second one can be held, mm: a light bar on the flange.
 pub(crate) const REACH_MM: f64 = 300.0;
 
-/// These reflectors, and where there is but one and something turns the likeliest other.
-pub(crate) fn with_another(robot: &Robot, mut targets: Vec<Target>) -> Vec<Target> {
-    if targets.len() < 2 && robot.joints.iter().any(|j| j.kind == JointKind::Revolute) {
-        targets.extend(other_reflectors(robot, &targets).into_iter().take(1));
-    }
-    targets
-}
-
 /// Places for a second reflector within reach of the first, the likeliest to help first: further
-/// out and higher, across the first axis, and in towards it.
+/// out and higher, across the first axis, and in towards it. None where there are two already, or nothing turns.
 pub(crate) fn other_reflectors(robot: &Robot, targets: &[Target]) -> Vec<Target> {
     let turns = |j: &Joint| j.kind == JointKind::Revolute;
-    let frame = JointFrame::new(robot, robot.joints.iter().position(turns).unwrap_or(0));
+    let first = robot.joints.iter().position(turns);
+    let Some(first) = first.filter(|_| targets.len() < 2) else {
+        return Vec::new();
+    };
+    let frame = JointFrame::new(robot, first);
     let [outward, _] = frame.plane_of_motion();
     let (outward, along) = (Vector3::from(outward), Vector3::from(frame.along));
     let across = along.cross(&outward);
@@ -50,9 +46,10 @@ pub(crate) fn other_reflectors(robot: &Robot, targets: &[Target]) -> Vec<Target>
 
 /// The reflectors of a first measurement: the tool's origin and one more, where something turns.
 pub(crate) fn reflectors(robot: &Robot) -> Vec<Target> {
-    let origin = Target {
+    let mut targets = vec![Target {
         name: "T1".to_owned(),
         position_mm: Point3::origin(),
-    };
-    with_another(robot, vec![origin])
+    }];
+    targets.extend(other_reflectors(robot, &targets).into_iter().next());
+    targets
 }

@@ -4,13 +4,13 @@ use crate::text::Text;
 
 use super::Cancelled;
 
-/// Why there is no diagnosis.
+/// Why there is no diagnosis, or no plan.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum DiagnoseError {
     /// No effect of this name.
     UnknownEffect(String),
-    /// The share to lock away makes no sense.
-    HeldOutShare(String),
+    /// A robot, an option, or options together, that make no sense or ask for what cannot be done.
+    Option(Text),
     /// Every sample is held out or cannot be used.
     NothingToFit,
     /// The session is no whole one: columns of different lengths, more joints than a robot has.
@@ -27,10 +27,7 @@ impl DiagnoseError {
                 "no effect is called '{effect}'; `truepose effects` lists them",
                 effect
             ),
-            Self::HeldOutShare(share) => text!(
-                "--held-out is {share}; expected a share above 0 and below 1, such as 0.25",
-                share
-            ),
+            Self::Option(problem) => problem.clone(),
             Self::NothingToFit => text!(
                 "no sample can be fitted: every one is held out, or lacks a joint value or a measured point (x_mm, y_mm)"
             ),

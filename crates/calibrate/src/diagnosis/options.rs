@@ -40,9 +40,10 @@ impl Options {
             }
         }
         match self.held_out {
-            Some(share) if !(share > 0.0 && share < 1.0) => {
-                Err(DiagnoseError::HeldOutShare(share.to_string()))
-            }
+            Some(share) if !(share > 0.0 && share < 1.0) => Err(DiagnoseError::Option(text!(
+                "--held-out is {share}; expected a share above 0 and below 1, such as 0.25",
+                share
+            ))),
             _ => Ok(()),
         }
     }

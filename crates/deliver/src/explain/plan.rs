@@ -1,11 +1,7 @@
 //! A plan: the poses, what they decide, make testable and sharpen.
 
 use super::{Block, Detail, Fact, Section, Topic, cleaned, fact};
-use crate::design::forecast::Forecast;
-use crate::design::geometry::Geometry;
-use crate::design::needs::Untestable;
-use crate::design::pair_separation::Separation;
-use crate::design::plan::{Plan, Subject};
+use crate::design::{Forecast, Geometry, Plan, Separation, Subject, Untestable};
 use crate::language::spoken;
 use crate::present::limits::{applies, joints_in_words, limits_of};
 use crate::present::names::{title, title_of, title_on};
@@ -25,11 +21,16 @@ pub fn plan(plan: &Plan, detail: Detail) -> Vec<Section> {
     };
     add(
         say!("Becomes testable"),
-        grouped(&plan.enables, plan, needs),
+        grouped(&plan.enables, plan, |one| {
+            needs(one, say!("by the poses alone"))
+        }),
     );
     add(
         say!("Stays untestable"),
-        grouped(&plan.cannot, plan, why_not),
+        grouped(&plan.cannot, plan, |one| {
+            let help = needs(one, say!("no pose helps"));
+            format!("{}: {help}", cleaned(&one.because))
+        }),
     );
     sections.extend(
         plan.geometry
@@ -97,7 +98,7 @@ fn open(plan: &Plan) -> Vec<Fact> {
 
 /// What the poses do for two effects that are to be told apart.
 fn separated(separation: &Separation) -> Vec<String> {
-    let [a, b] = separation.between.map(|named| title_of(named.id));
+    let [a, b] = separation.between.map(|(effect, _)| title_of(effect));
     if let Some(because) = &separation.impossible {
         return vec![say!(
             "No pose distinguishes {a} from {b}: {because}",
@@ -107,16 +108,15 @@ fn separated(separation: &Separation) -> Vec<String> {
         )];
     }
     let percent = |share: f64| format!("{:.1}", 100.0 * share);
-    let [before, back_before] = separation.left_before.map(percent);
-    let [after, back_after] = separation.left_after.map(percent);
+    let (before, after) = (&separation.left_before, &separation.left_after);
     let mut says = vec![say!(
         "Share of {a} that {b} cannot explain: {before} % now, {after} % with these poses; of {b} that {a} cannot explain: {back_before} % and {back_after} %",
         b,
         a,
-        before,
-        after,
-        back_before,
-        back_after
+        before = percent(before[0]),
+        after = percent(after[0]),
+        back_before = percent(before[1]),
+        back_after = percent(after[1])
     )];
     if separation.poses.is_empty() {
         says.push(say!("The samples decide already").to_owned());
@@ -150,25 +150,13 @@ fn grouped(all: &[Untestable], plan: &Plan, says: fn(&Untestable) -> String) -> 
     said.collect()
 }
 
-fn needs(one: &Untestable) -> String {
+/// What would help, else what is said where nothing would.
+fn needs(one: &Untestable, nothing: &str) -> String {
     if one.needs.is_empty() {
-        return say!("by the poses alone").to_owned();
+        return nothing.to_owned();
     }
-    let says: Vec<_> = one
-        .needs
-        .iter()
-        .map(|need| spoken(need.describe()))
-        .collect();
-    says.join("; ")
-}
-
-fn why_not(one: &Untestable) -> String {
-    let help = if one.needs.is_empty() {
-        say!("no pose helps").to_owned()
-    } else {
-        needs(one)
-    };
-    format!("{}: {help}", cleaned(&one.because))
+    let says = one.needs.iter().map(|need| spoken(need.describe()));
+    says.collect::<Vec<_>>().join("; ")
 }
 
 fn geometry(geometry: &Geometry, plan: &Plan, detail: Detail) -> Section {
@@ -234,8 +222,8 @@ fn limits(plan: &Plan, detail: Detail) -> Option<Section> {
         };
         say!(
             "{one} and {other} will look alike (correlation {correlation})",
-            one = name((pair.one.0, pair.one.1)),
-            other = name((pair.other.0, pair.other.1)),
+            one = name(pair.one),
+            other = name(pair.other),
             correlation = format!("{:.3}", pair.correlation)
         )
     });

@@ -39,11 +39,7 @@
 
 use super::diagnosis_v1::poses;
 use super::json::{Json, keyed, list, object, optional};
-use crate::design::forecast::ExpectedError;
-use crate::design::geometry::Geometry;
-use crate::design::needs::Untestable;
-use crate::design::pair_separation::Separation;
-use crate::design::plan::{Plan, Subject};
+use crate::design::{ExpectedError, Geometry, Plan, Separation, Subject, Untestable};
 
 /// The document of a plan.
 pub fn document(plan: &Plan) -> Json {
@@ -102,14 +98,12 @@ fn geometry(geometry: &Geometry, subject: Subject) -> Json {
 
 fn separation(separation: &Separation) -> Json {
     object! {
-        "between": list(&separation.between, |n| {
-            named(n.id, n.per_joint().then_some(n.joint))
-        }),
+        "between": list(&separation.between, |(effect, joint)| named(effect, *joint)),
         "possible": separation.impossible.is_none(),
         "because": separation.impossible.as_ref(),
         "decided": separation.decided,
-        "share_left_before": separation.left_before,
-        "share_left_after": separation.left_after,
+        "share_left_before": &separation.left_before[..],
+        "share_left_after": &separation.left_after[..],
     }
 }
 

@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 use crate::kinematics::Robot;
 
 use super::{Stop, stops};
-use crate::design::conditions::approach;
+use crate::design::approach;
 use crate::diagnosis::NextPose;
 use crate::refusal::Refusal;
 use crate::tables::as_cell;
