@@ -9,10 +9,9 @@ use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Role, Ui
 
 use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::simulate::Form;
-use crate::gui::style::Layout;
 use crate::gui::view::{About, Plane, Sheet, Step, What};
 use crate::gui::view::{Preferences, Theme};
-use crate::gui::widgets::{Buttons, Does, dots};
+use crate::gui::widgets::{Buttons, Does, Layout, dots};
 use crate::gui::workbench::Workbench;
 use crate::present::units::Units;
 

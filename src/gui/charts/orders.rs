@@ -7,7 +7,7 @@ use super::{
     of_noise,
 };
 use crate::gui::core::quantity::{Over, Variable};
-use crate::gui::core::search::terms;
+use crate::gui::core::answer::{terms};
 use crate::gui::help;
 use crate::language;
 use crate::numeric::whole;

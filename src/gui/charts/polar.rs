@@ -10,11 +10,10 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use super::deviation::{ANGLE, describe, note};
+use super::deviation::{ANGLE, Seen, describe, note, role};
 use super::{
-    About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Seen, Shown,
+    About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown, When,
 };
-use crate::gui::cache::points::When;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::overview::round_down;
 use crate::gui::core::quantity::Over;
@@ -246,7 +245,7 @@ impl Drawn {
 
     /// The deviations before or after: each sample, and where all are drawn the mean at each angle.
     fn stage(&self, when: When) -> Vec<Item> {
-        let (role, filled) = super::role(when);
+        let (role, filled) = role(when);
         let points = self.of.points(when);
         let drawn = points.drawn.iter().map(|sample| *sample as usize);
         let mark = |sample: usize| {

@@ -1,9 +1,6 @@
 //! What follows from a session and is worked out once, when it is opened or changed: what its samples
 //! cover, and what every frame needs to know of them. No frame may look at all samples.
 
-use std::any::Any;
-use std::sync::{Arc, OnceLock};
-
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 
 use crate::effects::term::travel_of;
@@ -14,23 +11,6 @@ use crate::numeric::{Ascending, extent};
 use crate::present::chart::{among, decade};
 use crate::sessions::{Session, Sigma};
 use crate::text::{Template, Text, filled};
-
-/// What others work out about something and keep with it, so that it lives as long: what is drawn
-/// of a session stays with the session, which need not know what that is. Holds things of one type.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Attached(OnceLock<Arc<dyn Any + Send + Sync>>);
-
-impl Attached {
-    /// What is attached; made now if nothing is.
-    ///
-    /// # Panics
-    /// Something of another type is attached.
-    pub(crate) fn get_or_make<T: Any + Send + Sync>(&self, make: impl FnOnce() -> T) -> Arc<T> {
-        let there = self.0.get_or_init(|| Arc::new(make()));
-        let there = Arc::clone(there).downcast::<T>();
-        there.expect("one type of thing is attached")
-    }
-}
 
 /// An effect that this session cannot show, and why.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -56,40 +36,34 @@ impl Coverage {
     /// Looks at every sample.
     pub(crate) fn new(session: &Session, inputs: &Inputs) -> Self {
         let survey = Survey::new(session, inputs);
-        let (testable, not_testable) = effects_of(session, &survey);
+        let (mut testable, mut not_testable) = (Vec::new(), Vec::new());
+        for effect in CATALOGUE {
+            let about = effect.about();
+            let joints = if about.per_joint {
+                session.robot.joints.len()
+            } else {
+                1
+            };
+            let mut obstacles = (0..joints)
+                .filter(|joint| (effect.exists_on)(*joint, survey.joints[*joint].kind))
+                .map(|joint| effect.obstacle(&survey, joint));
+            match obstacles.next() {
+                None => {}
+                Some(Some(because)) if obstacles.all(|o| o.is_some()) => {
+                    not_testable.push(NotTestable {
+                        effect: about.id,
+                        because,
+                    });
+                }
+                Some(_) => testable.push(about.id),
+            }
+        }
         Self {
             testable,
             not_testable,
             floor_mm: floor_mm(session),
         }
     }
-}
-
-/// Which effects these samples can show, and which not.
-fn effects_of(session: &Session, survey: &Survey) -> (Vec<&'static str>, Vec<NotTestable>) {
-    let (mut testable, mut not_testable) = (Vec::new(), Vec::new());
-    for effect in CATALOGUE {
-        let about = effect.about();
-        let joints = if about.per_joint {
-            session.robot.joints.len()
-        } else {
-            1
-        };
-        let mut obstacles = (0..joints)
-            .filter(|joint| (effect.exists_on)(*joint, survey.joints[*joint].kind))
-            .map(|joint| effect.obstacle(survey, joint));
-        let Some(first) = obstacles.next() else {
-            continue;
-        };
-        match first {
-            Some(because) if obstacles.all(|o| o.is_some()) => not_testable.push(NotTestable {
-                effect: about.id,
-                because,
-            }),
-            _ => testable.push(about.id),
-        }
-    }
-    (testable, not_testable)
 }
 
 /// As the diagnosis reckons it where no pose was reached again.
@@ -147,7 +121,8 @@ impl Overview {
         let usable: Vec<u32> = numbered.filter(|(_, u)| **u).map(|(i, _)| i).collect();
         let samples = &session.samples;
         let of = |x: &[f64], y: &[f64], z: &[f64]| {
-            let axes = [x, y, z].map(|column| extent_at(column, &usable));
+            let values = |column: &[f64]| extent(usable.iter().map(|i| column[*i as usize]));
+            let axes = [x, y, z].map(values);
             [axes.map(|[low, _]| low), axes.map(|[_, high]| high)]
         };
         let nominal_mm = of(&nominal.x_mm, &nominal.y_mm, &nominal.z_mm);
@@ -183,11 +158,6 @@ fn some_poses(session: &Session, usable: &[u32]) -> impl Iterator<Item = Vec<f64
     let some = usable.iter().step_by(stride(usable.len(), SOME));
     let poses = some.map(|sample| q.iter().map(|q| q[*sample as usize]).collect());
     home.into_iter().chain(poses)
-}
-
-/// Smallest and largest of the finite values at these samples.
-fn extent_at(column: &[f64], usable: &[u32]) -> [f64; 2] {
-    extent(usable.iter().map(|i| column[*i as usize]))
 }
 
 /// The pose of the base in the measuring frame (of the first setup) after a model, where the instrument was

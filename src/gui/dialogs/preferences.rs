@@ -18,8 +18,7 @@ fn language(ui: &mut Ui, next: &mut Preferences) {
 }
 
 pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench) {
-    widgets::wide(ui, 440.0);
-    ui.heading(say!("Preferences"));
+    super::head(ui, 440.0, say!("Preferences"));
     let now = workbench.view.preferences;
     let mut next = now;
     language(ui, &mut next);

@@ -16,8 +16,7 @@ use crate::text::spoken;
 const DETAILS_WIDE: f32 = 640.0;
 
 pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
-    widgets::wide(ui, DETAILS_WIDE);
-    ui.heading(say!("Report details"));
+    super::head(ui, DETAILS_WIDE, say!("Report details"));
     ui.hint(say!(
         "Stated at the head of the report and remembered for this machine; an empty field becomes a line to fill in by hand"
     ));

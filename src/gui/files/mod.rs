@@ -23,7 +23,6 @@ use crate::programs::LANGUAGES;
 use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError, unwatched};
 use crate::sessions::{Loaded, Session};
 
-use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::answer::LoadedModel;
 use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::disk::Fingerprint;
@@ -107,7 +106,7 @@ fn looked_through(
         .filter_map(|f| Fingerprint::of(f))
         .collect();
     // Made here, so that the window never waits for it.
-    Cloud::of(&loaded_session);
+    loaded_session.cloud();
     part.reached(1.0)?;
     Ok(Arc::new(loaded_session))
 }
@@ -134,7 +133,7 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
         Ok((session, hidden)) => {
             let mut loaded_session = LoadedSession::new(session, Vec::new(), Origin::Simulated);
             loaded_session.hidden = Some(hidden.into());
-            Cloud::of(&loaded_session);
+            loaded_session.cloud();
             Ok(Opened::Session(Arc::new(loaded_session)))
         }
         Err(problems) => Err(Message::wrong(
@@ -146,8 +145,8 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
 
 /// A bundled session.
 fn example(index: usize) -> Result<Arc<LoadedSession>, ReadError> {
-    let (document, samples) = EXAMPLES[index].files();
-    let loaded = pipeline::parse_with_csv(document, samples)?;
+    let files = EXAMPLES[index].files;
+    let loaded = pipeline::parse_with_csv(files.document, files.samples)?;
     let progress = Progress::new(&unwatched);
     Ok(looked_through(loaded, Origin::Bundled, progress.whole())?)
 }
@@ -180,10 +179,7 @@ mod tests {
     fn looking_through_a_session_can_be_cancelled_wherever_it_tells_how_far_it_is() {
         let example = &EXAMPLES[1];
         let through = |watch: &dyn Fn(f64) -> std::ops::ControlFlow<()>| {
-            let loaded = {
-                let (document, samples) = example.files();
-                pipeline::parse_with_csv(document, samples)
-            };
+            let loaded = pipeline::parse_with_csv(example.files.document, example.files.samples);
             let progress = Progress::new(watch);
             looked_through(loaded.unwrap(), Origin::Bundled, progress.whole())
         };

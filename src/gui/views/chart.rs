@@ -10,10 +10,10 @@ use crate::gui::charts::{
 };
 use crate::gui::core::loaded_session::Component;
 use crate::gui::plots::chart::Canvas;
-use crate::gui::plots::{self, figure, picture, ring};
-use crate::gui::style::{MIDDLE, Palette, size, space};
+use crate::gui::plots::{self, figure, picture};
+use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Front, Plot, Step};
-use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
+use crate::gui::widgets::{self, Buttons, Does, Forms, MIDDLE, Words};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::{self, Handles, marked, nearest};
 
@@ -93,7 +93,7 @@ fn show(ui: &mut Ui, workbench: &Workbench) {
 fn plotted(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, shown: &Shown) {
     let view = &workbench.view;
     let before = workbench.answer().map(|_| !view.only_after);
-    plots::legend::legend(ui, &shown.chart, before, workbench);
+    plots::chart::legend(ui, &shown.chart, before, workbench);
     let title = format!("{} {}", kind.about().id, shown.chart.title);
     let fitted = view.fitted.charts;
     let id = (&*title, workbench.only_after(), fitted);
@@ -171,7 +171,7 @@ fn drawn_samples(
     }
     let stroke = Stroke::new(2.5, canvas.palette.accent);
     for place in ringed.filter_map(|sample| samples.marks(sample).pop()) {
-        shapes.push(ring(canvas.at(place), 8.0, stroke));
+        shapes.push(Shape::circle_stroke(canvas.at(place), 8.0, stroke));
     }
 }
 

@@ -9,7 +9,7 @@ use crate::gui::core::loaded_session::Origin;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets::{self, Buttons, Does};
 use crate::gui::workbench::Workbench;
-use crate::text::capital;
+use crate::text::{capital, spoken};
 
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
@@ -169,7 +169,9 @@ fn file(ui: &mut Ui, workbench: &Workbench) {
     recent(ui, workbench);
     ui.menu_button(say!("Examples"), |ui| {
         for (action, example) in OPEN_EXAMPLE.iter().zip(&EXAMPLES) {
-            action.item(ui, workbench).on_hover_text(example.what());
+            action
+                .item(ui, workbench)
+                .on_hover_text(spoken(example.what));
         }
     });
     items(

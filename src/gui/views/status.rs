@@ -12,7 +12,7 @@ use crate::diagnosis::FloorFrom;
 use crate::present::numbers::grouped;
 
 use crate::gui::core::disk::{FileChange, name_of};
-use crate::gui::style::{self, Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Message, What};
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
@@ -143,7 +143,7 @@ struct Shown {
 /// What lies over the window by itself: notices (a file that changed on the disk, an error, a task that
 /// is done) and what becomes of files that are dropped on it. Notices lie over the results, above the
 /// status bar, so that no plot is moved when one appears or is dismissed.
-pub(crate) fn notices(ui: &Ui, workbench: &Workbench, room: style::Layout) {
+pub(crate) fn notices(ui: &Ui, workbench: &Workbench, room: widgets::Layout) {
     let (message, on_disk) = (&workbench.view.message, &workbench.view.on_disk);
     if message.is_none() {
         // The same may be said again: it stands as long as the first time.

@@ -3,10 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::core::answer::Question;
+use crate::gui::core::answer::{Question, Search};
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::search::Search;
 use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Jobs, Kind, Running};
 use crate::gui::view::{Message, What};
@@ -72,15 +71,10 @@ impl Workbench {
     /// Stops the search where it is about other samples than those that are here now, or what it began from was
     /// undone.
     pub(super) fn stop_search_of_others(&mut self) {
-        let here = |searched: &Arc<LoadedSession>| {
-            Arc::ptr_eq(searched, self.loaded_session()) && self.document().identified
-        };
-        if self
-            .derived
-            .searching
-            .as_ref()
-            .is_some_and(|one| !here(one))
-        {
+        let here =
+            |searched| Arc::ptr_eq(searched, self.loaded_session()) && self.document().identified;
+        let searched = self.derived.searching.as_ref();
+        if searched.is_some_and(|one| !here(one)) {
             self.stop_search();
             let title = say!("The diagnosis was stopped: what it was about has changed").to_owned();
             let again = say!("Run diagnosis again").to_owned();

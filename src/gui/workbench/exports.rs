@@ -10,10 +10,10 @@ use crate::compensation::decision::FittedErrors;
 use crate::export::find;
 use crate::gui::cache::{IdentifiedAnswer, PreviewRequest, StandardsFigures};
 use crate::gui::charts;
+use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{ExportChoice, plain};
-use crate::gui::core::search::Search;
 use crate::gui::files;
 use crate::gui::files::writing::{self, Made, Replace, Source};
 use crate::gui::jobs::{Kind, Watch};
@@ -44,17 +44,19 @@ impl Workbench {
             What::Report(About::Model) => {
                 format!("{}-model-report.html", plain(session))
             }
-            What::Picture(plot) => plot.file_name(session, plot.ending()),
+            What::Picture(plot) => {
+                format!(
+                    "{}-{}.{}",
+                    plain(session),
+                    plain(plot.name()),
+                    plot.ending()
+                )
+            }
 
             What::Robot(id) => format!("{id}.json"),
             What::TypedRobot => {
-                let name = self
-                    .file_state
-                    .settings
-                    .robots
-                    .first()
-                    .map(|table| table.name.as_str());
-                format!("{}.json", plain(name.unwrap_or_default()))
+                let table = self.typed_robots().first();
+                format!("{}.json", plain(table.map_or("", |table| &table.name)))
             }
             What::Targets => {
                 let path = self.compensated().map(Compensated::proposed_path);
@@ -73,11 +75,8 @@ impl Workbench {
             "report" => What::Report(About::Session),
             "report of the model" => What::Report(About::Model),
             "targets" => What::Targets,
-            _ => {
-                let chart = charts::find(name).map(|chart| Plot::Chart(chart.about().id));
-                let mut all = std::iter::once(Plot::Workspace).chain(chart);
-                What::Picture(all.find(|plot| plot.name() == name)?)
-            }
+            "workspace" => What::Picture(Plot::Workspace),
+            _ => What::Picture(Plot::Chart(charts::find(name)?.about().id)),
         })
     }
 
@@ -106,12 +105,10 @@ impl Workbench {
     /// An export, once it is known where to: all that goes into it is taken now. Where there is nothing to be
     /// written, that is said.
     pub(super) fn prepared(&mut self, what: What) -> Option<Write> {
-        let [title, first] = match self.write_of(what) {
-            Ok(write) => return write,
-            Err(missing) => missing,
-        };
-        self.complain(title, [first]);
-        None
+        self.write_of(what).unwrap_or_else(|[title, first]| {
+            self.complain(title, [first]);
+            None
+        })
     }
 
     /// What writes it, or what is missing and what to do first.
@@ -125,15 +122,9 @@ impl Workbench {
                     ]);
                 }
                 let document = Arc::clone(self.history.present());
-                let replacing = |yes| {
-                    if yes {
-                        Replace::Named
-                    } else {
-                        Replace::Nothing
-                    }
-                };
                 Some(Box::new(move |bench: &mut Self, path, replace| {
-                    bench.save_document(document, &path, replacing(replace));
+                    let replacing = [Replace::Nothing, Replace::Named][usize::from(replace)];
+                    bench.save_document(document, &path, replacing);
                 }))
             }
             What::Report(about) => Some(self.report(about)?),
@@ -142,7 +133,7 @@ impl Workbench {
             What::Targets => Some(self.targets()?),
             What::Robot(id) => named(id).ok().map(|one| robot_file(&one.robot)),
             What::TypedRobot => {
-                let table = self.file_state.settings.robots.first();
+                let table = self.typed_robots().first();
                 table.and_then(|table| Some(robot_file(&table.robot().ok()?)))
             }
             What::Poses => {
@@ -180,22 +171,14 @@ impl Workbench {
 
     /// Everything that the open session, its model and its tables stand in: no paper replaces it.
     pub(super) fn inputs(&self) -> Vec<PathBuf> {
-        let mut inputs: Vec<PathBuf> = self
-            .loaded_session()
-            .files
-            .iter()
-            .map(|f| f.path.clone())
-            .collect();
+        let files = self.loaded_session().files.iter();
+        let mut inputs: Vec<PathBuf> = files.map(|f| f.path.clone()).collect();
         if let Some(file) = self.file() {
             inputs.extend([file.to_path_buf(), samples_path(file)]);
         }
         inputs.extend(self.samples_file().map(PathBuf::from));
-        inputs.extend(
-            self.document()
-                .loaded_model
-                .as_ref()
-                .map(|given| given.path.clone()),
-        );
+        let given = self.document().loaded_model.as_ref();
+        inputs.extend(given.map(|given| given.path.clone()));
         for (table, _) in &self.file_state.exported {
             inputs.extend([table.clone(), sidecar_of(table)]);
         }

@@ -100,7 +100,7 @@ impl Workbench {
     /// Whether more samples are within the tolerance by the model than with corrected commands: marks show the model.
     pub(crate) fn model_promises_more(&self) -> bool {
         let tolerance_mm = self.document().tolerance_mm;
-        let promised = tolerance_mm.and_then(|mm| Some(self.after()?.lengths.within(mm).0));
+        let promised = tolerance_mm.and_then(|mm| Some(self.answer()?.lengths.within(mm).0));
         let kept = self.corrected_within();
         kept.zip(promised)
             .is_some_and(|(kept, promised)| kept < promised)

@@ -325,12 +325,11 @@ impl Workbench {
         let Some(LeftBehind { own, kept, .. }) = self.file_state.left_behind.take() else {
             return;
         };
-        let mut session = kept.session;
-        let file = kept.about.file;
-        session.path.clone_from(&file);
-        let origin = Origin::Recovered(file);
+        let SavedDocument { mut session, about } = kept;
+        session.path.clone_from(&about.file);
+        let origin = Origin::Recovered(about.file.clone());
         let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
-        self.edit(|document| Ok(document.recover(loaded_session, &kept.about.choices)));
+        self.edit(|document| Ok(about.restore(document, loaded_session)));
         // It is this window's from now on.
         if let Some(other) = self.file_state.recovery_file.replace(own) {
             other.tidy();

@@ -8,7 +8,7 @@ use egui::{
 };
 
 use crate::gui::layers::scale_at;
-use crate::gui::plots::legend::{self, SIGN};
+use crate::gui::plots::chart::{self, SIGN};
 use crate::gui::plots::mark;
 use crate::gui::style::{Palette, size};
 use crate::gui::widgets;
@@ -32,7 +32,7 @@ type Entry = (String, Vec<Shape>, f32);
 
 fn show_entry(ui: &mut Ui, (name, sign, room): Entry) -> Rect {
     let muted = Palette::of(ui).muted;
-    let (place, response) = legend::entry(ui, (sign, room), (&name, muted), Sense::hover());
+    let (place, response) = chart::entry(ui, (sign, room), (&name, muted), Sense::hover());
     let label = say!("legend: {name}", name);
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, label.clone()));
     place
@@ -52,7 +52,7 @@ pub(super) fn show(
     let marks = entries(workbench, shown, robot, &palette).into_iter();
     let bar = colour_bar(ui, workbench, shown, if low { SHORT } else { LONG });
     let between = vec2(10.0, 1.0);
-    legend::rows(ui, between, |ui| {
+    chart::rows(ui, between, |ui| {
         let all = |ui: &mut Ui| {
             for one in marks {
                 show_entry(ui, one);

@@ -22,19 +22,9 @@ pub(super) struct Camera {
 }
 
 impl Camera {
-    /// One that shows these bounds (smallest and largest corner), with the same scale both ways, in a
-    /// rectangle.
+    /// One that shows these bounds (smallest and largest corner), which are formed like it, in a rectangle.
     pub(super) fn showing(facing: Facing, [low, high]: [[f64; 2]; 2], frame: Rect) -> Self {
-        let sides = [frame.width(), frame.height()].map(f64::from);
-        let scale = (0..2).map(|k| sides[k] / (high[k] - low[k]).max(1e-9));
-        let scale = scale.fold(f64::INFINITY, f64::min);
-        let half = sides.map(|side| 0.5 * side / scale);
-        let middle = [0, 1].map(|k| f64::midpoint(low[k], high[k]));
-        let bounds = PlotBounds::from_min_max(
-            [middle[0] - half[0], middle[1] - half[1]],
-            [middle[0] + half[0], middle[1] + half[1]],
-        );
-        let transform = PlotTransform::new(frame, bounds, false);
+        let transform = PlotTransform::new(frame, PlotBounds::from_min_max(low, high), false);
         Self { facing, transform }
     }
 

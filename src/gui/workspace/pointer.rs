@@ -9,7 +9,6 @@ use egui::{
 };
 
 use crate::gui::actions::EXCLUDE;
-use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::regions::{self, SNAP_DEG};
@@ -60,7 +59,7 @@ fn under(
 ) -> Option<usize> {
     let facing = &shown.look.facing;
     let at = camera.transform.value_from_position(at);
-    let cloud = Cloud::of(workbench.loaded_session());
+    let cloud = workbench.loaded_session().cloud();
     let [x, y] = facing.flat(cloud.centre_mm);
     let drawn = cloud.places.iter().zip(&cloud.samples).take(points);
     let found = drawn.filter_map(|(place, sample)| {
