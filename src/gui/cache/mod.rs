@@ -114,11 +114,11 @@ impl PreviewRequest {
     pub(crate) fn made(&self, name: &str) -> Result<CheckedExport, String> {
         let choice = &self.choice;
         let reference = choice.reference.as_ref().map(|path| {
-            let bytes = read_document(path).map_err(|error| spoken(error.describe()))?;
-            Ok::<_, String>((path.display().to_string(), bytes))
+            let read = read_document(path);
+            read.map(|bytes| (path.display().to_string(), bytes))
         });
-        let reference = reference.transpose()?;
-        let reference = reference.as_ref();
+        let reference = reference.transpose();
+        let reference = reference.map_err(|error| spoken(error.describe()))?;
         let verified = self.identified.handed_out()?;
         let job = Job {
             joint: choice.joint,
@@ -127,7 +127,7 @@ impl PreviewRequest {
                 zeros: choice.zeros,
                 motors: choice.motors,
                 convention: choice.convention,
-                reference: reference.map(|(name, bytes)| Reference { name, bytes }),
+                reference: (reference.as_ref()).map(|(name, bytes)| Reference { name, bytes }),
             },
             ..Job::new(&verified, name)
         };
@@ -152,14 +152,10 @@ only_itself!(ExportPreview);
 
 /// Makes an export in memory, to be looked at before it is saved, or says why there is none.
 pub(crate) fn preview(wanted: &PreviewRequest) -> Result<Arc<ExportPreview>, String> {
-    let PreviewRequest {
-        identified: outcome,
-        choice,
-        name,
-    } = wanted;
+    let (outcome, choice) = (&wanted.identified, &wanted.choice);
     let session = &outcome.question.loaded_session.session;
     let calibration = &*outcome.handed_out()?;
-    let name = name.clone();
+    let name = wanted.name.clone();
     let name = name.unwrap_or_else(|| choice.file_name(&session.name));
     let inputs = if outcome.question.loaded_session.is_empty() {
         measured_poses(&Job::new(calibration, &name))

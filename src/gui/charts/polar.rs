@@ -231,10 +231,12 @@ impl Drawn {
             items.push(Item::Line(ends.to_vec(), thin, 0.5, false));
             // Angles as joints have them: from −180° to 180°.
             let turn = if 2 * k > SPOKES { TAU } else { 0.0 };
-            items.push(word(
-                self.place(q, outside + 0.5 * ROOM),
-                units.angle(q - turn),
-            ));
+            items.push(Item::Word(ChartText {
+                at: self.place(q, outside + 0.5 * ROOM),
+                text: units.angle(q - turn),
+                anchor: Anchor::Middle,
+                below: false,
+            }));
         }
         items.push(self.circle(0.0, thin, 1.75, false));
         for at in self.band().into_iter().flatten() {
@@ -271,15 +273,6 @@ impl Drawn {
         let means = means(drawn.map(dot).collect()).into_iter();
         means.map(line).chain([marks]).collect()
     }
-}
-
-fn word(at: [f64; 2], text: String) -> Item {
-    Item::Word(ChartText {
-        at,
-        text,
-        anchor: Anchor::Middle,
-        below: false,
-    })
 }
 
 /// The smallest of 1, 2, 5 × 10ⁿ that is not below `value`; 0 for nothing.

@@ -6,7 +6,7 @@
 //! hold it against: its parameters and its table are shown by themselves.
 
 use std::cell::Cell;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::answers::diagnosis::DataProblem;
@@ -97,14 +97,6 @@ pub(crate) struct LoadedModel {
 only_itself!(LoadedModel);
 
 impl LoadedModel {
-    /// A model that was read from a file.
-    pub(crate) fn new(calibration: VerifiedCalibration, path: &Path) -> Self {
-        Self {
-            calibration,
-            path: path.to_path_buf(),
-        }
-    }
-
     pub(crate) fn file_name(&self) -> String {
         name_of(&self.path).into_owned()
     }
@@ -188,10 +180,12 @@ fn identification(
         max_mm: 0.0,
     };
     let coefficients = model.coefficient_count();
-    let outlier = |v: &Verification, sample: usize| Outlier {
-        sample,
-        deviation_mm: v.after.length_mm[sample],
-    };
+    let outliers = verified.into_iter().flat_map(|v| {
+        v.outliers.iter().map(|sample| Outlier {
+            sample: *sample,
+            deviation_mm: v.after.length_mm[*sample],
+        })
+    });
     Identification {
         session: loaded_session.session.name.clone(),
         method: METHOD,
@@ -209,12 +203,7 @@ fn identification(
         held_out: None,
         levels: Vec::new(),
         expected: None,
-        outliers: verified.map_or_else(Vec::new, |v| {
-            v.outliers
-                .iter()
-                .map(|sample| outlier(v, *sample))
-                .collect()
-        }),
+        outliers: outliers.collect(),
         left_out: Vec::new(),
         noise_mm: None,
         noise: None,

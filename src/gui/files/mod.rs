@@ -60,21 +60,18 @@ pub(crate) enum Opened {
 
 /// Reads a session or a model: its key `format` says which it is.
 pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
+    let failed = |error: ReadError| not_opened(path.display(), &error);
     if is_model(path) {
-        return match load_model(path) {
-            Ok(calibration) => Ok(Opened::Model(Arc::new(LoadedModel::new(calibration, path)))),
-            Err(rejected) => Err(not_opened(path.display(), &rejected.into())),
-        };
+        let calibration = load_model(path).map_err(|rejected| failed(rejected.into()))?;
+        let path = path.to_path_buf();
+        return Ok(Opened::Model(Arc::new(LoadedModel { calibration, path })));
     }
     let report_progress = watch.progress_callback();
     let progress = Progress::new(&report_progress);
     let whole = progress.whole();
-    match ImportDraft::of(path, whole) {
-        None => {}
-        Some(Ok(foreign)) => return Ok(Opened::Foreign(Box::new(foreign))),
-        Some(Err(error)) => {
-            return Err(not_opened(path.display(), &error));
-        }
+    if let Some(foreign) = ImportDraft::of(path, whole) {
+        let foreign = foreign.map_err(failed)?;
+        return Ok(Opened::Foreign(Box::new(foreign)));
     }
     let loaded = pipeline::load_watched(path, whole.part(0.0, READING).watch());
     let loaded_session = loaded.and_then(|loaded| {
@@ -86,9 +83,7 @@ pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
         let part = whole.part(READING, 1.0);
         Ok(looked_through(loaded, origin, part)?)
     });
-    loaded_session
-        .map(Opened::Session)
-        .map_err(|error| not_opened(path.display(), &error))
+    loaded_session.map(Opened::Session).map_err(failed)
 }
 
 /// Everything that follows from a session that was read.
@@ -114,14 +109,11 @@ fn looked_through(
 /// Says that a file was not opened.
 fn not_opened(name: impl Display, error: &ReadError) -> Message {
     let title = say!("{name} could not be opened; nothing was changed", name);
-    Message::wrong(title, why(error))
-}
-
-fn why(error: &ReadError) -> Vec<String> {
-    match error {
+    let why = match error {
         ReadError::Rejected(rejected) => listed(rejected.diagnostics.iter().map(finding).collect()),
         ReadError::Cancelled(_) => vec![cancelled()],
-    }
+    };
+    Message::wrong(title, why)
 }
 
 /// Which part of opening a session it is to read it; the rest is to look through it.

@@ -125,26 +125,18 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
 /// What opens a file with the system's program for it, or shows it in its folder. The path is one
 /// argument: no shell reads it.
 fn command(path: &Path, in_folder: bool) -> Command {
-    let folder = path.parent().unwrap_or(path);
-    if cfg!(target_os = "windows") {
-        let mut command = Command::new("explorer");
-        if in_folder {
-            command.arg("/select,");
-        }
-        command.arg(path);
-        command
-    } else if cfg!(target_os = "macos") {
-        let mut command = Command::new("open");
-        if in_folder {
-            command.arg("-R");
-        }
-        command.arg(path);
-        command
-    } else {
-        let mut command = Command::new("xdg-open");
-        command.arg(if in_folder { folder } else { path });
-        command
-    }
+    let (program, select) = match std::env::consts::OS {
+        "windows" => ("explorer", Some("/select,")),
+        "macos" => ("open", Some("-R")),
+        _ => ("xdg-open", None),
+    };
+    let mut command = Command::new(program);
+    match select {
+        _ if !in_folder => command.arg(path),
+        Some(select) => command.arg(select).arg(path),
+        None => command.arg(path.parent().unwrap_or(path)),
+    };
+    command
 }
 
 /// Opens a file with the system's program for it, or shows it in its folder. Takes its time.

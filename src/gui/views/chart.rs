@@ -144,13 +144,12 @@ fn plotted(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, shown: &Sho
                 let near = samples.near([low.x, high.x], [low.y, high.y]);
                 let candidates = near.into_iter().flat_map(|sample| {
                     let marks = samples.marks(sample).into_iter();
-                    marks.map(move |[x, y]| (sample, egui_plot::PlotPoint::new(x, y)))
+                    let at = |[x, y]: [f64; 2]| {
+                        transform.position_from_point(&egui_plot::PlotPoint::new(x, y))
+                    };
+                    marks.map(move |mark| (sample, at(mark)))
                 });
-                let candidates = candidates.map(|(sample, point)| {
-                    let here = transform.position_from_point(&point);
-                    (sample, [here.x, here.y])
-                });
-                nearest(candidates, [pointer.x, pointer.y], REACH)
+                nearest(candidates, pointer, REACH)
             });
             workspace::hover(&response, workbench, under);
         }

@@ -158,11 +158,11 @@ pub(super) fn findings(ui: &mut Ui, workbench: &Workbench) {
 /// A diagnosis is running: what it has found so far.
 fn under_way(ui: &mut Ui, workbench: &Workbench) {
     let found = workbench.searching().map(Running::found);
-    let says = match found.as_ref().map_or(0, Vec::len) {
+    let found = found.unwrap_or_default();
+    let says = match found.len() {
         0 => say!("Nothing found so far"),
         _ => say!("Found so far; a likelier name may take the place of one"),
     };
-    let found = found.unwrap_or_default();
     so_far(ui, say!("Diagnosis is running"), says, &found);
 }
 

@@ -6,7 +6,7 @@ use egui::{Checkbox, ProgressBar, RichText, Ui};
 
 use crate::compensation::decision::Outcome as Conformity;
 use crate::explain::{self, Detail, Topic, remarks_on_fit};
-use crate::fit::{Estimate, Gap, RegionResult};
+use crate::fit::{Estimate, RegionResult};
 use crate::gui::actions;
 use crate::gui::core::answer::{self, Answer, LoadedModelSummary};
 use crate::gui::core::document::Method;
@@ -140,15 +140,15 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             text.append(part, 0.0, TextFormat::simple(font.clone(), color));
         }
         ui.label(text);
-        let from_to = |gap: &Gap, pick: fn(&Gap) -> [f64; 2]| {
-            let [before, after] = pick(gap).map(number);
+        let from_to = |ends: [f64; 2]| {
+            let [before, after] = ends.map(number);
             format!("{before} → {after} {unit}")
         };
-        let largest = |g: &Gap| [g.before.max_mm, g.after.max_mm];
-        ui.fact(say!("largest"), from_to(&found.gap, largest));
+        let largest = [found.gap.before.max_mm, found.gap.after.max_mm];
+        ui.fact(say!("largest"), from_to(largest));
         if let Some(held_out) = &found.held_out {
-            let rms = |g: &Gap| [g.before.rms_mm, g.after.rms_mm];
-            ui.fact(say!("held out"), from_to(held_out, rms));
+            let rms = [held_out.before.rms_mm, held_out.after.rms_mm];
+            ui.fact(say!("held out"), from_to(rms));
         }
         if let (Some((before, _)), Some((after, all))) =
             (within(workbench, false), within(workbench, true))

@@ -37,12 +37,8 @@ fn line(workbench: &Workbench) -> String {
             let mut gaps = vec![gap.before.rms_mm];
             // What the identification left, where effects were added to it since.
             let added = workbench.document().in_the_model().next().is_some();
-            gaps.extend(
-                workbench
-                    .diagnosis()
-                    .filter(|_| added)
-                    .map(|d| d.gap.identified_mm),
-            );
+            let searched = workbench.diagnosis().filter(|_| added);
+            gaps.extend(searched.map(|d| d.gap.identified_mm));
             gaps.push(gap.after.rms_mm);
             let gaps: Vec<String> = gaps.into_iter().map(mm).collect();
             let gaps = say!("RMS error {gaps} {unit}", gaps = gaps.join(" → "), unit);
@@ -133,12 +129,8 @@ const STATUS: f32 = 32.0;
 /// It takes this part of the window's height at most; what is longer scrolls.
 const MOST: f32 = 0.3;
 
-/// When the message that is shown came up, in the window's seconds.
-#[derive(Clone, PartialEq)]
-struct Shown {
-    message: Message,
-    since: f64,
-}
+/// The message that is shown, and when it came up, in the window's seconds.
+type Shown = (Message, f64);
 
 /// What lies over the window by itself: notices (a file that changed on the disk, an error, a task that
 /// is done) and what becomes of files that are dropped on it. Notices lie over the results, above the
@@ -194,16 +186,15 @@ fn goes_by_itself(ui: &Ui, message: &Message, pointed: bool, workbench: &Workben
     let (ctx, id) = (ui.ctx(), Id::unique("notice"));
     let now = ctx.input(|i| i.time);
     let before: Option<Shown> = ctx.data(|data| data.get_temp(id));
-    let shown = before.filter(|shown| shown.message == *message);
-    let since = shown.filter(|_| !pointed).map_or(now, |shown| shown.since);
+    let shown = before.filter(|(shown, _)| shown == message && !pointed);
+    let since = shown.map_or(now, |(_, since)| since);
     let left = since + STANDS_S - now;
     if left <= 0.0 {
         workbench.then(move |bench| bench.view.message = None);
     } else {
         ctx.request_repaint_after(std::time::Duration::from_secs_f64(left));
     }
-    let message = message.clone();
-    ctx.data_mut(|data| data.insert_temp(id, Shown { message, since }));
+    ctx.data_mut(|data| data.insert_temp(id, (message.clone(), since)));
 }
 
 fn body(ui: &mut Ui, message: &Message) {

@@ -118,11 +118,11 @@ pub(crate) fn look_again_soon(ui: &Ui) {
         .request_repaint_after(std::time::Duration::from_millis(100));
 }
 
-/// The arrow keys, those across and those up and down, are for this control instead of going to the next.
-pub(crate) fn keep_arrows(ui: &Ui, id: Id, [horizontal_arrows, vertical_arrows]: [bool; 2]) {
+/// The arrow keys are for this control instead of going to the next.
+pub(crate) fn keep_arrows(ui: &Ui, id: Id) {
     let filter = EventFilter {
-        horizontal_arrows,
-        vertical_arrows,
+        horizontal_arrows: true,
+        vertical_arrows: true,
         ..EventFilter::default()
     };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(id, filter));

@@ -18,7 +18,6 @@ use crate::gui::files;
 use crate::gui::files::writing::{self, Made, Replace, Source};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, Message, Plot, Sheet, Step, What};
-use crate::kinematics::Robot;
 use crate::pipeline::measuring_list;
 use crate::report::exported::sidecar_of;
 use crate::report::svg::svg_file;
@@ -131,10 +130,10 @@ impl Workbench {
             What::Picture(plot) => self.picture(plot),
 
             What::Targets => Some(self.targets()?),
-            What::Robot(id) => named(id).ok().map(|one| robot_file(&one.robot)),
+            What::Robot(id) => named(id).ok().map(|one| list(robot_document(&one.robot))),
             What::TypedRobot => {
                 let table = self.typed_robots().first();
-                table.and_then(|table| Some(robot_file(&table.robot().ok()?)))
+                table.and_then(|table| Some(list(robot_document(&table.robot().ok()?))))
             }
             What::Poses => {
                 let diagnosis = self.diagnosis().ok_or([
@@ -364,9 +363,10 @@ impl Workbench {
         let name = name_of(&wanted.path);
         let says = say!("correcting the targets of {name}", name);
         let session = Arc::clone(&outcome.question.loaded_session);
-        let work = move |_: &Watch| match outcome.handed_out() {
-            Ok(verified) => Compensated::of(&verified, &model, wanted),
-            Err(says) => Compensated::refused(wanted, says),
+        let work = move |_: &Watch| {
+            let verified = outcome.handed_out();
+            let verified = verified.as_deref().map_err(Clone::clone);
+            Compensated::of(verified, &model, wanted)
         };
         self.jobs.start(
             Kind::Once,
@@ -410,11 +410,6 @@ fn later(
         let work = move |watch: &Watch| writing::write(make, &path, replace, &inputs, watch);
         bench.jobs.start(Kind::Writes, says, work, then);
     })
-}
-
-fn robot_file(robot: &Robot) -> Write {
-    let document = robot_document(robot);
-    list(document)
 }
 
 /// A text of which nothing more has to be known.

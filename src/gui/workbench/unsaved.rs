@@ -34,14 +34,12 @@ impl Workbench {
         if now.loaded_session.is_empty() {
             return false;
         }
-        let same = |Place {
-                        document: saved, ..
-                    }: &Place| {
+        let same = |saved: &Document| {
             now.regions == saved.regions
                 && now.tolerance_mm == saved.tolerance_mm
                 && Arc::ptr_eq(&now.loaded_session, &saved.loaded_session)
         };
-        !self.place().is_some_and(same)
+        !self.place().is_some_and(|place| same(&place.document))
     }
 
     /// What would be lost if the session were closed now. The session that the window began with
@@ -235,14 +233,9 @@ impl Workbench {
                 };
                 self.file_state.places.insert(lineage, place);
                 self.forget_looks();
-                let mut details = Vec::new();
-                if self.at_risk().model {
-                    details.push(
-                        say!("What was identified is not in it: “Save model…” keeps that")
-                            .to_owned(),
-                    );
-                }
-                self.view.message = Some(Message::saved(&path, details));
+                let says = say!("What was identified is not in it: “Save model…” keeps that");
+                let details = self.at_risk().model.then(|| says.to_owned());
+                self.view.message = Some(Message::saved(&path, Vec::from_iter(details)));
                 self.use_recent(path);
                 self.resume();
             }
@@ -264,17 +257,11 @@ impl Workbench {
 
     /// Writes what is not saved to this window's recovery file, or removes it where all is saved.
     pub(crate) fn keep_recovery(&mut self) {
-        let Some(path) = self
-            .file_state
-            .recovery_file
-            .as_ref()
-            .map(|k| k.path().to_path_buf())
-        else {
+        let keeper = self.file_state.recovery_file.as_ref();
+        let Some(keeper) = keeper.filter(|_| self.recovery_lags()) else {
             return;
         };
-        if !self.recovery_lags() {
-            return;
-        }
+        let path = keeper.path().to_path_buf();
         if !self.at_risk().any() {
             self.file_state.kept = None;
             let work = move || drop(std::fs::remove_file(&path));
@@ -336,10 +323,8 @@ impl Workbench {
         }
         self.file_state.kept = None;
         self.keep_recovery();
-        self.view.message = Some(Message::done(
-            say!("Restored; it is not saved yet").to_owned(),
-            Vec::new(),
-        ));
+        let title = say!("Restored; it is not saved yet");
+        self.view.message = Some(Message::done(title, Vec::new()));
     }
 
     /// Discards what was left behind, and offers what is next.

@@ -1,6 +1,7 @@
 //! Where the parts of the workspace plot go: bounds, sectors, the scale, what is under the pointer, and which of
 //! many vectors are drawn. Rectangles and points only, so that it is tested without pixels.
 
+use egui::Pos2;
 use egui_plot::PlotTransform;
 
 use super::model::{Dial, Shown};
@@ -75,13 +76,12 @@ pub(crate) fn scale_mm(magnification: f64, points_per_mm: f64, most_points: f64)
 
 /// The sample nearest to the pointer, of those within `reach` points of it.
 pub(crate) fn nearest(
-    candidates: impl Iterator<Item = (usize, [f32; 2])>,
-    pointer: [f32; 2],
+    candidates: impl Iterator<Item = (usize, Pos2)>,
+    pointer: Pos2,
     reach: f32,
 ) -> Option<usize> {
-    let distance = |p: [f32; 2]| (p[0] - pointer[0]).hypot(p[1] - pointer[1]);
     candidates
-        .map(|(sample, at)| (sample, distance(at)))
+        .map(|(sample, at)| (sample, pointer.distance(at)))
         .filter(|(_, d)| *d <= reach)
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(sample, _)| sample)
@@ -131,26 +131,18 @@ pub(crate) fn drawn(shown: &Shown, [points, vectors]: [usize; 2]) -> Vec<String>
     if shown.vectors.is_some() {
         return Vec::new();
     }
-    let one_of = |count: usize| shown.samples.div_ceil(count.max(1));
     let note = |(count, says): (usize, Template)| {
         let why = if count == shown.most {
             say!("this computer draws in software")
         } else {
             say!("zoom in for more")
         };
-        let one_of = one_of(count);
+        let one_of = shown.samples.div_ceil(count.max(1));
         (count < shown.samples).then(|| filled(says, &[("one_of", &one_of), ("why", &why)]))
     };
-    let layers = [
-        (
-            points,
-            phrase!("showing 1 in {one_of} points; {why}"; one_of, why),
-        ),
-        (
-            vectors,
-            phrase!("showing 1 in {one_of} vectors; {why}"; one_of, why),
-        ),
-    ];
+    let of_points = phrase!("showing 1 in {one_of} points; {why}"; one_of, why);
+    let of_vectors = phrase!("showing 1 in {one_of} vectors; {why}"; one_of, why);
+    let layers = [(points, of_points), (vectors, of_vectors)];
     layers.into_iter().filter_map(note).collect()
 }
 
@@ -167,6 +159,7 @@ fn side_mm(transform: &PlotTransform) -> f64 {
 mod tests {
     use super::*;
     use crate::gui::testing::{lamp, workbench, workbench_on};
+    use egui::pos2;
     use egui_plot::PlotBounds;
 
     #[test]
@@ -220,9 +213,9 @@ mod tests {
 
     #[test]
     fn the_nearest_sample_is_found_within_reach_only() {
-        let at = [(7, [0.0, 0.0]), (8, [10.0, 0.0])];
-        assert_eq!(nearest(at.into_iter(), [8.0, 1.0], 12.0), Some(8));
-        assert_eq!(nearest(at.into_iter(), [50.0, 50.0], 12.0), None);
+        let at = [(7, pos2(0.0, 0.0)), (8, pos2(10.0, 0.0))];
+        assert_eq!(nearest(at.into_iter(), pos2(8.0, 1.0), 12.0), Some(8));
+        assert_eq!(nearest(at.into_iter(), pos2(50.0, 50.0), 12.0), None);
     }
 
     #[test]

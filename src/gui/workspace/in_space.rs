@@ -146,7 +146,7 @@ fn looked(ui: &Ui, response: &Response, rect: Rect, ball: &Ball, camera: ViewCam
         }
     }
     if response.has_focus() {
-        widgets::keep_arrows(ui, response.id, [true; 2]);
+        widgets::keep_arrows(ui, response.id);
         camera = by_keys(ui, camera);
     }
     camera

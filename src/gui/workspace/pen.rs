@@ -1,10 +1,8 @@
 //! What the workspace is drawn with: a camera, which says where places are in the picture, and a pen that draws there,
 //! in points and in the colours of the theme.
 
-use std::sync::Arc;
-
 use egui::text::{LayoutJob, TextWrapping};
-use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
 use egui_plot::{PlotBounds, PlotPoint, PlotTransform};
 
 use crate::gui::plots::mark;
@@ -152,19 +150,15 @@ impl<'a> Pen<'a> {
     }
 
     pub(super) fn label(&mut self, at: Pos2, label: &Label) {
-        let galley = self.galley(label);
-        let place = label.anchor.anchor_size(at, galley.size());
-        self.shapes
-            .push(Shape::galley(place.min, galley, label.color));
-    }
-
-    fn galley(&self, label: &Label) -> Arc<Galley> {
         let (text, font) = (label.text.clone(), label.font.clone());
         let mut job = LayoutJob::simple_singleline(text, font, label.color);
         if let Some(most) = label.most {
             job.wrap = TextWrapping::truncate_at_width(most);
         }
-        self.painter.layout_job(job)
+        let galley = self.painter.layout_job(job);
+        let place = label.anchor.anchor_size(at, galley.size());
+        self.shapes
+            .push(Shape::galley(place.min, galley, label.color));
     }
 }
 

@@ -11,6 +11,7 @@ use egui::{
 };
 
 use crate::diagnostic::Severity;
+use crate::explain::{Detail, imported};
 use crate::importers::{ColumnGuess, Importer, Known, Meanings};
 use crate::kinematics::{JointKind, Robot};
 use crate::language;
@@ -118,7 +119,9 @@ fn result(ui: &mut Ui, seen: &InspectedDraft, units: Units) {
             return errors(ui, because);
         }
     };
-    let section = trial.brings(units);
+    let (gap, matched) = (trial.loaded_session.gap_before, trial.matched.as_ref());
+    let (samples, detail) = (trial.loaded_session.len(), Detail::window(units));
+    let section = imported(samples, gap, matched, trial.alignment.as_ref(), detail);
     ui.section(&section.title);
     blocks::show(ui, &section.blocks);
     let mut notes: Vec<_> = trial.notes.iter().collect();
