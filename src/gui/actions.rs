@@ -2,15 +2,13 @@
 //! what the help lists.
 
 use crate::gui::files;
-use crate::gui::view::NextAction;
+use crate::gui::view::{About, NextAction, Plane, Preferences, Sheet, Step, Theme, What};
 
 use crate::text::{Template, capital, filled, spoken, within};
 use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Role, Ui, WidgetInfo};
 
 use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::simulate::Form;
-use crate::gui::view::{About, Plane, Sheet, Step, What};
-use crate::gui::view::{Preferences, Theme};
 use crate::gui::widgets::{Buttons, Does, Layout, dots};
 use crate::gui::workbench::Workbench;
 use crate::present::units::Units;

@@ -43,9 +43,8 @@ register! {
 pub(crate) struct About {
     /// What it is: what its picture is called, as it stands within a sentence.
     pub(crate) id: &'static str,
-    /// Its name where there is little room.
-    short: Template,
-    name: Template,
+    /// Its name where there is little room, and in full.
+    names: [Template; 2],
     /// What its question mark explains; the glossary lists it.
     pub(crate) word: Word,
     /// What is chosen for it.
@@ -68,11 +67,9 @@ pub(crate) enum ChartChoice {
 impl About {
     /// `names` are that of the list and that of the plot.
     const fn new(id: &'static str, names: [Template; 2], word: Word, of: ChartChoice) -> Self {
-        let [short, name] = names;
         Self {
             id,
-            short,
-            name,
+            names,
             word,
             of,
         }
@@ -80,11 +77,11 @@ impl About {
 
     /// Its name where there is little room.
     pub(crate) fn short(&self) -> &'static str {
-        spoken(self.short)
+        spoken(self.names[0])
     }
 
     pub(crate) fn name(&self) -> &'static str {
-        spoken(self.name)
+        spoken(self.names[1])
     }
 }
 

@@ -15,13 +15,12 @@ use super::{
     About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown, When,
 };
 use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::overview::round_down;
 use crate::gui::core::quantity::Over;
 use crate::gui::help;
 use crate::gui::view::Plane;
 use crate::numeric::whole;
 use crate::present::chart::{
-    Axis, Chart, ChartText, ColourRole, Entry, Form, Item, LegendSymbol, Mark, Ticks,
+    Axis, Chart, ChartText, ColourRole, Entry, Form, Item, LegendSymbol, Mark, Ticks, decade,
 };
 use crate::present::drawing::Anchor;
 use crate::present::numbers::trimmed;
@@ -280,12 +279,10 @@ fn round_up(value: f64) -> f64 {
     if value <= 0.0 || !value.is_finite() {
         return 0.0;
     }
-    let below = round_down(value);
-    let next = [1.0, 2.0, 2.5, 5.0].map(|times| times * below);
-    let enough = |one: &f64| {
-        *one >= value * (1.0 - 1e-9) && (round_down(one * (1.0 + 1e-9)) / one - 1.0).abs() < 1e-6
-    };
-    next.into_iter().find(enough).unwrap_or(10.0 * below)
+    let decade = decade(value);
+    let round = [1.0, 2.0, 5.0].map(|lead| lead * decade);
+    let mut enough = round.into_iter().filter(|one| *one >= value * (1.0 - 1e-9));
+    enough.next().unwrap_or(10.0 * decade)
 }
 
 /// The mean deviation over the angle of what came from each side, in pieces without gaps.

@@ -39,8 +39,8 @@ pub(crate) struct Answer {
     pub(crate) calibration: Calibration,
     /// Problems of the data; what is mechanical was corrected before the fit.
     pub(crate) data_problems: Vec<DataProblem>,
-    /// Where the model was read from, if it was.
-    pub(crate) loaded: Option<LoadedModelSummary>,
+    /// What a model that was read from a file does on the session; `None` where nothing was measured, or it was identified.
+    pub(crate) verification: Option<Verification>,
     /// What is left of the deviations; NaN for samples that cannot be used.
     pub(crate) after: Deviations,
     /// The same as it is uploaded.
@@ -51,19 +51,11 @@ pub(crate) struct Answer {
     pub(crate) readable: Readable,
 }
 
-/// What there is to say about a model that was read from a file.
-#[derive(Debug, Clone)]
-pub(crate) struct LoadedModelSummary {
-    pub(crate) file: String,
-    /// What it does on the session; `None` where nothing was measured.
-    pub(crate) verification: Option<Verification>,
-}
-
 impl Answer {
     /// With what every frame needs to know of it.
     fn new(
         identified: Identified,
-        loaded: Option<LoadedModelSummary>,
+        verification: Option<Verification>,
         after: Deviations,
         loaded_session: &LoadedSession,
     ) -> Self {
@@ -73,7 +65,7 @@ impl Answer {
             identification: identified.identification,
             calibration: identified.calibration,
             data_problems: identified.data_problems,
-            loaded,
+            verification,
             remainder: Arc::new(remainder),
             lengths: Ascending::new(&after.length_mm),
             readable: Readable::new(loaded_session.overview.radius_mm, &after.length_mm),
@@ -159,12 +151,8 @@ fn of_model(loaded_model: &LoadedModel, loaded_session: &LoadedSession) -> Resul
         calibration,
         data_problems: Vec::new(),
     };
-    let loaded = LoadedModelSummary {
-        file: loaded_model.file_name(),
-        verification: verified,
-    };
     let after = after.unwrap_or_default();
-    Ok(Answer::new(identified, Some(loaded), after, loaded_session))
+    Ok(Answer::new(identified, verified, after, loaded_session))
 }
 
 fn identification(

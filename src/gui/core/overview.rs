@@ -1,13 +1,13 @@
 //! What follows from a session and is worked out once, when it is opened or changed: what its samples
 //! cover, and what every frame needs to know of them. No frame may look at all samples.
 
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use crate::effects::term::travel_of;
 use crate::effects::{CATALOGUE, Inputs, Role, Survey};
-use crate::gui::core::skeleton::robot_extent;
+use crate::gui::core::skeleton::Skeleton;
 use crate::model::{Model, Positions};
-use crate::numeric::{Ascending, extent};
+use crate::numeric::Ascending;
 use crate::present::chart::{among, decade};
 use crate::sessions::{Session, Sigma};
 use crate::text::{Template, Text, filled};
@@ -121,9 +121,11 @@ impl Overview {
         let usable: Vec<u32> = numbered.filter(|(_, u)| **u).map(|(i, _)| i).collect();
         let samples = &session.samples;
         let of = |x: &[f64], y: &[f64], z: &[f64]| {
-            let values = |column: &[f64]| extent(usable.iter().map(|i| column[*i as usize]));
-            let axes = [x, y, z].map(values);
-            [axes.map(|[low, _]| low), axes.map(|[_, high]| high)]
+            corners(
+                usable
+                    .iter()
+                    .map(|i| [x, y, z].map(|column| column[*i as usize])),
+            )
         };
         let nominal_mm = of(&nominal.x_mm, &nominal.y_mm, &nominal.z_mm);
         let z_mm = samples.z_mm.as_ref().unwrap_or(&nominal.z_mm);
@@ -132,6 +134,9 @@ impl Overview {
         let reach_mm = arm_mm.unwrap_or_else(|| sides.fold(1.0, f64::max));
         let radius_mm = arm_mm.unwrap_or(0.5 * reach_mm);
         let held_out = samples.held_out.as_deref().unwrap_or(&[]);
+        let skeleton = Skeleton::new(&session.robot, &Point3::origin());
+        let robot = some_poses(session, &usable).filter_map(|q| skeleton.at(&q));
+        let robot = robot.flatten();
         let range = travel_of(&session.robot, 0, &samples.q[0]);
         Self {
             kinds: session.kinds_in_words(),
@@ -140,7 +145,7 @@ impl Overview {
             travel: (range.from, range.to),
             nominal_mm,
             measured_mm,
-            robot_mm: robot_extent(&session.robot, some_poses(session, &usable)),
+            robot_mm: corners(robot.map(Into::into)),
             lengths: Ascending::new(lengths_mm),
             readable: Readable::new(radius_mm, lengths_mm),
             reach_mm,
@@ -175,6 +180,18 @@ pub(crate) fn measuring_from_base(model: &Model, far_mm: f64) -> Option<Isometry
     let far = turn.norm() > TURNED || shift.norm() > far_mm;
     let rotation = UnitQuaternion::from_scaled_axis(turn);
     far.then(|| Isometry3::from_parts(Translation3::from(shift), rotation))
+}
+
+/// Smallest and largest corner of these points, of what is finite; of none +∞ and −∞.
+pub(crate) fn corners<const N: usize>(points: impl IntoIterator<Item = [f64; N]>) -> [[f64; N]; 2] {
+    let mut ends = [[f64::INFINITY; N], [f64::NEG_INFINITY; N]];
+    for p in points {
+        for k in (0..N).filter(|k| p[*k].is_finite()) {
+            ends[0][k] = ends[0][k].min(p[k]);
+            ends[1][k] = ends[1][k].max(p[k]);
+        }
+    }
+    ends
 }
 
 // How much of something a plot shows, and round numbers for its scales.

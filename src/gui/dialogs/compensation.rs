@@ -34,7 +34,7 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench) {
         return workbench.then(move |bench| bench.show_sheet(None));
     };
     let name = name_of(&compensated.wanted.path);
-    super::head(ui, WIDE, say!("Compensate {name}", name));
+    widgets::head(ui, WIDE, say!("Compensate {name}", name));
     let differs: &[DifferingNumber] = match &compensated.result {
         Err(not_corrected) => &not_corrected.differs,
         Ok(_) => &[],

@@ -92,12 +92,6 @@ fn veiled(ui: &Ui, id: Id) -> Modal {
     modal.backdrop_color(Palette::of(ui).veil)
 }
 
-/// Makes a sheet as wide as this, or as the window has room for, and says what it is.
-fn head(ui: &mut Ui, width: f32, title: impl Into<egui::RichText>) {
-    widgets::wide(ui, width);
-    ui.heading(title);
-}
-
 /// The button at the end of a sheet that only says something.
 fn done(ui: &mut Ui, workbench: &Workbench) {
     if ui.foot([(say!("Done"), true)]).is_some() || widgets::entered(ui) {
@@ -144,7 +138,7 @@ fn lists_above(ctx: &Context, sheet: LayerId) {
 // What this program is, what can be done in it by keys and mouse, and what the words mean.
 
 fn about(ui: &mut Ui, workbench: &Workbench) {
-    head(ui, 400.0, "truepose");
+    widgets::head(ui, 400.0, "truepose");
     ui.hint(say!(
         "version {version}",
         version = env!("CARGO_PKG_VERSION")
@@ -164,7 +158,7 @@ const REST: f32 = 240.0;
 
 /// What the words mean, all of them.
 fn words(ui: &mut Ui, workbench: &Workbench) {
-    head(ui, 520.0, say!("Glossary"));
+    widgets::head(ui, 520.0, say!("Glossary"));
     ui.hint(say!(
         "The same is shown beside the numbers, where the pointer rests on a name"
     ));

@@ -1,6 +1,8 @@
 //! The library of robots and one's own: found by typing, drawn as they are chosen, saved; and a session that is
 //! simulated of one of them.
 
+use std::sync::Arc;
+
 use egui::{
     Align, Button, ComboBox, DragValue, Key, Layout, Modifiers, Role, ScrollArea, Sense, TextEdit,
     Ui, Vec2, WidgetInfo, vec2,
@@ -14,7 +16,7 @@ use crate::gui::view::{Camera, Sheet, What};
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::robot_alone;
-use crate::kinematics::{self, JointKind};
+use crate::kinematics::JointKind;
 use crate::language::spoken;
 use crate::present::robots_v1::figure;
 use crate::robots::{LibraryRobot, find, library, source};
@@ -109,19 +111,11 @@ impl<'w> Robot<'w> {
     }
 
     /// Itself; none where what was typed is no robot yet.
-    pub(super) fn robot(self) -> Option<kinematics::Robot> {
+    pub(super) fn made(self) -> Option<Arc<SimulatedRobot>> {
         match self {
-            Self::Own(table) => table.robot().ok(),
-            Self::Library(robot) => Some(robot.robot.clone()),
+            Self::Own(table) => SimulatedRobot::typed(table),
+            Self::Library(robot) => Some(SimulatedRobot::of(robot)),
         }
-    }
-
-    fn form(self) -> Option<Form> {
-        let robot = match self {
-            Self::Own(table) => SimulatedRobot::typed(table)?,
-            Self::Library(robot) => SimulatedRobot::of(robot),
-        };
-        Some(Form::of(robot))
     }
 }
 
@@ -238,8 +232,8 @@ fn described(
 ) {
     ui.spacing_mut().item_spacing.y = space::TIGHT;
     let size = vec2(room.x, room.y - FACTS);
-    if let Some(robot) = chosen.robot() {
-        robot_alone(ui, (&robot, &chosen.title()), camera, size);
+    if let Some(made) = chosen.made() {
+        robot_alone(ui, (&made.robot, &chosen.title()), camera, size);
     }
     match chosen {
         Robot::Library(robot) => known_of(ui, robot),
@@ -322,8 +316,8 @@ fn ends(ui: &mut Ui, chosen: Option<Robot<'_>>, entered: bool, workbench: &Workb
             workbench.then(|bench| bench.keep_robot(table, true));
         }
         (_, Some(robot)) if pressed.is_some() || entered => {
-            if let Some(form) = robot.form() {
-                workbench.then(|bench| bench.show_sheet(Some(Sheet::Simulate(form))));
+            if let Some(made) = robot.made() {
+                workbench.then(|bench| bench.show_sheet(Some(Sheet::Simulate(Form::of(made)))));
             }
         }
         _ => {}
@@ -342,7 +336,7 @@ const EFFECTS: [f32; 2] = [190.0, 420.0];
 const AROUND: f32 = 610.0;
 
 pub(super) fn simulation(ui: &mut Ui, form: &mut Form, workbench: &Workbench) {
-    super::head(ui, SIMULATION, &form.robot.title);
+    widgets::head(ui, SIMULATION, &form.robot.title);
     ui.hint(say!(
         "Random poses within the joint limits, three reflectors at the tool, speeds, loads and a warm-up mixed. The effects below are hidden in the robot: identification and diagnosis should find them"
     ));
@@ -369,10 +363,10 @@ pub(super) fn simulation(ui: &mut Ui, form: &mut Form, workbench: &Workbench) {
 
 /// What is wrong as a whole, and the buttons; what was changed stays in the sheet.
 fn simulate(ui: &mut Ui, form: &Form, workbench: &Workbench) {
-    if !form.problems().is_empty() {
+    let ready = form.problems().is_empty();
+    if !ready {
         ui.hint(say!("Correct the fields marked above first"));
     }
-    let ready = form.problem().is_none();
     let form = form.clone();
     match ui.foot([(say!("Cancel"), true), (say!("Simulate"), ready)]) {
         Some(0) => workbench.then(|bench| bench.show_sheet(Sheet::Simulate(form).before())),

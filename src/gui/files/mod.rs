@@ -24,13 +24,11 @@ use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError, unwatched};
 use crate::sessions::{Loaded, Session};
 
 use crate::gui::core::answer::LoadedModel;
-use crate::gui::core::disk::EXAMPLES;
-use crate::gui::core::disk::Fingerprint;
+use crate::gui::core::disk::{EXAMPLES, Fingerprint};
 use crate::gui::core::document::plain;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::simulate::Form;
-use crate::gui::import_draft::listed;
-use crate::gui::import_draft::{ImportDraft, TABLES};
+use crate::gui::import_draft::{ImportDraft, TABLES, listed};
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 

@@ -95,15 +95,11 @@ fn dialog_beside(file: Option<&Path>) -> FileDialog {
     }
 }
 
-/// A dialog that begins in the folder where the file belongs, with its name.
-fn dialog_at(path: &Path) -> FileDialog {
-    let name = path.file_name().unwrap_or_default();
-    dialog_beside(Some(path)).set_file_name(name.to_string_lossy())
-}
-
 /// Asks the user where to export to.
 pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
-    let dialog = dialog_at(path).set_title(what.title());
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let dialog = dialog_beside(Some(path)).set_file_name(name);
+    let dialog = dialog.set_title(what.title());
     let ending = path.extension().and_then(|ending| ending.to_str());
     let table = capital(say!("table"));
     let dialog = match what {

@@ -214,9 +214,7 @@ impl ViewState {
             self.plane.facing()
         }
     }
-}
 
-impl ViewState {
     pub(crate) fn new() -> Self {
         Self {
             plot_size: ROOM,

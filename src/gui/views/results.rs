@@ -1,5 +1,5 @@
-//! The right-hand side: what the identification says, and how sure it is; before anything is identified what the samples
-//! cover, what can be seen in them and what comes next, so that it helps from the first minute on.
+//! What the identification says, and how sure it is; before anything is identified what the samples cover, what can be
+//! seen in them and what comes next, so that it helps from the first minute on.
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Checkbox, ProgressBar, RichText, Ui};
@@ -7,59 +7,21 @@ use egui::{Checkbox, ProgressBar, RichText, Ui};
 use crate::compensation::decision::Outcome as Conformity;
 use crate::explain::{self, Detail, Topic, remarks_on_fit};
 use crate::fit::{Estimate, RegionResult};
-use crate::gui::actions;
-use crate::gui::core::answer::{self, Answer, LoadedModelSummary};
+use crate::gui::core::answer::{self, Answer, LoadedModel};
 use crate::gui::core::document::Method;
-use crate::gui::help;
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::view::{Side, Step};
-use crate::gui::views::{blocks, copies, samples};
-use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
+use crate::gui::view::Step;
+use crate::gui::views::{blocks, copies};
+use crate::gui::widgets::{self, Buttons, Does, Words};
 use crate::gui::workbench::Workbench;
+use crate::gui::{actions, help};
 use crate::language::spoken;
 use crate::present::decision;
 use crate::present::names::title;
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
 use crate::text::capital;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
-    let side = workbench.view.side;
-    if workbench.view.step == Step::Export {
-        ui.heading(say!("Export"));
-        ui.add_space(space::TIGHT);
-        widgets::scroll(ui, "export", |ui| super::export::preview(ui, workbench));
-        return;
-    }
-    if workbench.view.step == Step::Gap && side == Side::Results {
-        return super::gap::findings(ui, workbench);
-    }
-    let sides = [
-        (Side::Results, say!("Summary")),
-        (Side::Samples, &capital(say!("samples"))),
-    ];
-    ui.row(|ui| {
-        // Where there is no room for both, what is chosen says where one is.
-        let title = say!("Results");
-        let of_title = widgets::width_of(ui, title, strong(size::HEADING)) + space::ROW;
-        if of_title + widgets::width_of_segments(ui, &sides) <= ui.available_width() {
-            ui.heading(title);
-        }
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if let Some(side) = ui.segmented(&sides, side) {
-                workbench.then(move |bench| bench.view.side = side);
-            }
-        });
-    });
-    ui.add_space(space::TIGHT);
-    match side {
-        Side::Samples => samples::show(ui, workbench),
-        Side::Results => {
-            widgets::scroll(ui, "results", |ui| summary(ui, workbench));
-        }
-    }
-}
-
-fn summary(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn summary(ui: &mut Ui, workbench: &Workbench) {
     ui.spacing_mut().item_spacing.y = space::ROW;
     match workbench.identified().map(|o| &o.answer) {
         None => beforehand(ui, workbench),
@@ -77,13 +39,13 @@ fn summary(ui: &mut Ui, workbench: &Workbench) {
 }
 
 fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
-    if let Some(loaded) = &answer.loaded {
-        about(ui, workbench, answer, loaded);
+    if let Some(given) = &workbench.document().loaded_model {
+        about(ui, workbench, given);
     }
     if !workbench.loaded_session().is_empty() {
         gap_card(ui, workbench, answer);
     }
-    if let Some(verification) = answer.loaded.as_ref().and_then(|l| l.verification.as_ref()) {
+    if let Some(verification) = &answer.verification {
         for section in explain::verification(verification, Detail::window(workbench.units())) {
             blocks::card(ui, &section);
         }
@@ -305,17 +267,12 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     actions::go_on(ui, workbench, Step::Gap);
 }
 
-/// What there is to say about the model itself.
-pub(super) fn about(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    answer: &Answer,
-    loaded: &LoadedModelSummary,
-) {
-    let calibration = &answer.calibration;
+/// What there is to say about a model that was read from a file.
+fn about(ui: &mut Ui, workbench: &Workbench, given: &LoadedModel) {
+    let calibration = &*given.calibration;
     widgets::card(ui, |ui| {
         ui.bold(say!("Model from a file"));
-        ui.fact(say!("file"), &loaded.file);
+        ui.fact(say!("file"), given.file_name());
         ui.fact(say!("robot"), &calibration.model.robot.name);
         ui.fact(say!("identified from"), &calibration.session);
         let joints = &calibration.model.robot.joints;
@@ -340,7 +297,7 @@ pub(super) fn about(
 }
 
 /// What was identified.
-pub(super) fn parameters(ui: &mut Ui, workbench: &Workbench, estimates: &[Estimate]) {
+fn parameters(ui: &mut Ui, workbench: &Workbench, estimates: &[Estimate]) {
     ui.bold(say!("Identified parameters"));
     let robot = &workbench.loaded_session().session.robot;
     let detail = Detail::window(workbench.units());

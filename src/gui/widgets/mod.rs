@@ -165,6 +165,12 @@ pub(crate) fn wide(ui: &mut Ui, width: f32) {
     ui.set_width(width.min(room_of_a_sheet(ui).x));
 }
 
+/// The same, and says what the sheet is.
+pub(crate) fn head(ui: &mut Ui, width: f32, title: impl Into<egui::RichText>) {
+    wide(ui, width);
+    ui.heading(title);
+}
+
 /// Whether Enter was pressed, and for no control in particular: it means the button that stands
 /// out.
 pub(crate) fn entered(ui: &Ui) -> bool {

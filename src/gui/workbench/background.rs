@@ -91,7 +91,11 @@ impl Workbench {
     /// Drops the newest job that the status bar names; what was to be done after it is not wanted any more either.
     pub(crate) fn cancel_newest(&mut self) {
         self.cancel_pending_action();
-        if self.jobs.newest().is_some_and(Running::searches) {
+        if self
+            .jobs
+            .newest()
+            .is_some_and(|job| job.kind == Kind::Searches)
+        {
             return self.stop_search();
         }
         if let Some(kind) = self.jobs.cancel(Kind::has_a_name) {
@@ -199,11 +203,9 @@ impl Workbench {
             )],
         );
     }
-}
 
-// Dialogs of the system in which a file is chosen, one at a time.
+    // Dialogs of the system in which a file is chosen, one at a time.
 
-impl Workbench {
     /// Asks for a file to open.
     pub(crate) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
         self.choose_near(ask, |bench, path| match path {

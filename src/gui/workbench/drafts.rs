@@ -7,8 +7,7 @@ use crate::sessions::Region;
 
 use crate::gui::core::disk::name_of;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::regions::Counts;
-use crate::gui::core::regions::{Decision, adapt};
+use crate::gui::core::regions::{Counts, Decision, adapt};
 use crate::gui::files;
 use crate::gui::import_draft::{Companion, ImportDraft, InspectedDraft};
 use crate::gui::jobs::{Kind, Running, Watch};

@@ -47,9 +47,9 @@ use crate::gui::file_state::{Settings, Stated};
 use crate::gui::files;
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Jobs, Slot};
-use crate::gui::view::Preferences;
 use crate::gui::view::{
-    Aspect, Camera, Message, NextAction, OnDisk, Plane, Sheet, Sorting, Step, ViewState,
+    Aspect, Camera, Message, NextAction, OnDisk, Plane, Preferences, Sheet, Sorting, Step,
+    ViewState,
 };
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
@@ -175,9 +175,8 @@ pub(super) struct FileState {
     pub(super) saved_as: Option<(ExportChoice, String)>,
     /// What was asked of the model that was written last.
     pub(super) model_on_file: Option<Question>,
-    pub(super) then: Option<NextAction>,
-    /// Whether everything that would be lost is saved before that.
-    pub(super) saves_all: bool,
+    /// What is done once a file is written, and whether everything that would be lost is saved before.
+    pub(super) then: Option<(NextAction, bool)>,
     /// The document as recovery has it.
     pub(super) kept: Option<Arc<Document>>,
 }

@@ -72,7 +72,8 @@ impl Workbench {
                 what = writing.what
             );
             self.view.message = Some(Message::done(title, Vec::new()));
-            self.file_state.then = Some(then);
+            let all = matches!(self.file_state.then, Some((_, true)));
+            self.file_state.then = Some((then, all));
             return;
         }
         if self.at_risk().any() {
@@ -149,8 +150,7 @@ impl Workbench {
     /// Saves what would be lost, then does it.
     pub(crate) fn save_then(&mut self, then: NextAction) {
         self.view.sheet = None;
-        self.file_state.then = Some(then);
-        self.file_state.saves_all = true;
+        self.file_state.then = Some((then, true));
         if self.at_risk().session {
             self.save();
         } else {
@@ -160,10 +160,9 @@ impl Workbench {
 
     /// Something was written: what was to be done then. Where all was to be saved first, that is what comes next.
     pub(super) fn resume(&mut self) {
-        let saves = std::mem::take(&mut self.file_state.saves_all);
         match self.file_state.then.take() {
-            Some(then) if saves && self.at_risk().any() => self.save_then(then),
-            Some(then) => self.ask_then(then),
+            Some((then, true)) if self.at_risk().any() => self.save_then(then),
+            Some((then, _)) => self.ask_then(then),
             None => {}
         }
     }
@@ -171,7 +170,6 @@ impl Workbench {
     /// What was to be done after saving is not done.
     pub(super) fn cancel_pending_action(&mut self) {
         self.file_state.then = None;
-        self.file_state.saves_all = false;
     }
 
     /// Saves to the session's own file, or asks for one.
@@ -241,9 +239,7 @@ impl Workbench {
             }
         }
     }
-}
 
-impl Workbench {
     /// Whether recovery lags behind the document.
     pub(crate) fn recovery_lags(&self) -> bool {
         let now = self.history.present();

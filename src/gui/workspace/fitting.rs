@@ -5,7 +5,7 @@ use egui::Pos2;
 use egui_plot::PlotTransform;
 
 use super::model::{Dial, Shown};
-use crate::gui::core::overview::{FEW, round_down};
+use crate::gui::core::overview::{FEW, corners, round_down};
 use crate::text::{Template, filled};
 
 /// Sectors reach so far beyond the path, in parts of the radius.
@@ -19,32 +19,20 @@ const CHORD_RAD: f64 = 0.05;
 
 /// Smallest and largest corner of everything, mm, with room for handles.
 pub(crate) fn bounds(shown: &Shown) -> [[f64; 2]; 2] {
-    let mut low = [f64::INFINITY; 2];
-    let mut high = [f64::NEG_INFINITY; 2];
-    let mut take = |p: [f64; 2]| {
-        for k in 0..2 {
-            if p[k].is_finite() {
-                low[k] = low[k].min(p[k]);
-                high[k] = high[k].max(p[k]);
-            }
-        }
-    };
-    shown.measured_mm.into_iter().for_each(&mut take);
-    shown.robot_mm.into_iter().for_each(&mut take);
-    let paths = shown.paths_mm.iter().flatten();
-    let paths: Vec<[f64; 2]> = paths.map(|p| shown.look.facing.flat(*p)).collect();
-    paths.iter().copied().for_each(&mut take);
+    let path = shown.paths_mm.iter().flatten();
+    let path = path.map(|p| shown.look.facing.flat(*p));
+    let ends = shown.measured_mm.into_iter().chain(shown.robot_mm);
+    let mut all: Vec<[f64; 2]> = ends.chain(path.clone()).collect();
     if let Some(dial) = &shown.dial {
-        take(dial.centre_mm);
-        for p in &paths {
-            let arm = [p[0] - dial.centre_mm[0], p[1] - dial.centre_mm[1]];
+        let centre = dial.centre_mm;
+        all.push(centre);
+        all.extend(path.map(|p| {
+            let arm = [p[0] - centre[0], p[1] - centre[1]];
             let out = ROOM * dial.radius_mm / arm[0].hypot(arm[1]).max(1e-9);
-            take([
-                dial.centre_mm[0] + out * arm[0],
-                dial.centre_mm[1] + out * arm[1],
-            ]);
-        }
+            [centre[0] + out * arm[0], centre[1] + out * arm[1]]
+        }));
     }
+    let [low, high] = corners(all);
     if !low[0].is_finite() || !low[1].is_finite() {
         return [[-1.0, -1.0], [1.0, 1.0]];
     }

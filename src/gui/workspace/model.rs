@@ -20,13 +20,6 @@ pub(crate) struct VisibleSample {
     pub(crate) before_mm: Option<[f64; 3]>,
 }
 
-impl VisibleSample {
-    /// Where the simulation has it that a deviation is from, mm.
-    pub(crate) fn simulated_mm(&self, deviation_mm: [f64; 3]) -> [f64; 3] {
-        [0, 1, 2].map(|k| self.at_mm[k] - deviation_mm[k])
-    }
-}
-
 /// How angles of joint 1 lie in the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Dial {

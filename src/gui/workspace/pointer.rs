@@ -16,11 +16,10 @@ use crate::gui::style::Palette;
 use crate::gui::view::ViewState;
 use crate::gui::widgets::{self, Words};
 use crate::gui::workbench::Workbench;
-use crate::gui::workspace::fitting;
-use crate::gui::workspace::legend;
 use crate::gui::workspace::model::{Shown, judged};
 use crate::gui::workspace::pen::Camera;
 use crate::gui::workspace::robot::Drawn;
+use crate::gui::workspace::{fitting, legend};
 use crate::present::numbers::trimmed;
 use crate::units::{deg_from_rad, rad_from_deg};
 

@@ -136,7 +136,9 @@ fn samples(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Cam
 fn vectors(pen: &mut Pen<'_>, shown: &Shown, all: &[VisibleSample], camera: &Camera) {
     let palette = pen.palette;
     let ends = |one: &VisibleSample, v: [f64; 3]| {
-        let (from, m) = (one.simulated_mm(v), shown.magnification);
+        // From where the simulation has it.
+        let from = [0, 1, 2].map(|k| one.at_mm[k] - v[k]);
+        let m = shown.magnification;
         [from, [0, 1, 2].map(|k| from[k] + m * v[k])].map(|p| camera.at(p))
     };
     let ghost = palette.before.gamma_multiply(0.38);

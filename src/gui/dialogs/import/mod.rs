@@ -43,7 +43,7 @@ const LIST: f32 = 300.0;
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
     let window = ui.ctx().content_rect();
     let name = name_of(&draft.path);
-    super::head(ui, WIDTH, say!("Import {name}", name));
+    widgets::head(ui, WIDTH, say!("Import {name}", name));
     ui.hint(file::found_out(draft));
     let (seen, asked) = (Arc::clone(&draft.seen), draft.answers.clone());
     let height = (window.height() - AROUND).max(LEAST);
@@ -231,9 +231,9 @@ fn listed(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
             _ => {}
         }
     });
-    if let Some((made, title)) = taken.and_then(|taken| Some((taken.robot()?, taken.title()))) {
+    if let Some((made, title)) = taken.and_then(|taken| Some((taken.made()?, taken.title()))) {
         search.clone_from(&title);
-        *robot = RobotFrom::Listed(title, Box::new(made));
+        *robot = RobotFrom::Listed(title, Box::new(made.robot.clone()));
     }
 }
 
