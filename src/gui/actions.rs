@@ -191,7 +191,7 @@ actions! {
     SEARCH: COMMAND, G, |_| say!("Run diagnosis").into(),
         |bench, _| bench.search(), [when(measured)];
     CANCEL: COMMAND, Period, |_| say!("Cancel what is running").into(), |bench, _| bench.cancel_newest(),
-        [when(|now| now.jobs().newest().is_some())];
+        [when(|now| now.jobs.newest().is_some())];
     EXCLUDE: PLAIN, Delete, exclude_says,
         |bench, _| {
             let (chosen, out) = (bench.view.chosen(), !are_excluded(bench));

@@ -91,14 +91,14 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     ui.horizontal_centered(|ui| {
         let status = line(workbench);
         // What runs has its place at the right whatever is said at the left.
-        let busy = workbench.jobs().newest().is_some();
+        let busy = workbench.jobs.newest().is_some();
         let room = ui.available_width() - if busy { BUSY } else { 0.0 };
         let line = egui::Label::new(RichText::new(&status).size(size::NOTE)).truncate();
         let high = ui.available_height();
         let left = Layout::left_to_right(Align::Center);
         ui.allocate_ui_with_layout(egui::vec2(room, high), left, |ui| ui.add(line));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let Some(task) = workbench.jobs().newest() else {
+            let Some(task) = workbench.jobs.newest() else {
                 return idle(ui, workbench);
             };
             ui.small_button(say!("Cancel"))

@@ -7,16 +7,11 @@ use crate::gui::core::answer::{Question, Search};
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::files::{self, Opened};
-use crate::gui::jobs::{Jobs, Kind, Running};
+use crate::gui::jobs::{Kind, Running};
 use crate::gui::view::{Message, What};
 use crate::gui::workbench::Workbench;
 
 impl Workbench {
-    /// Jobs that are under way.
-    pub(crate) fn jobs(&self) -> &Jobs<Self> {
-        &self.jobs
-    }
-
     /// The search that is under way.
     pub(crate) fn searching(&self) -> Option<&Running> {
         self.jobs.running(Kind::Searches)

@@ -78,7 +78,7 @@ pub(crate) struct Workbench {
     pub(super) waiting: Option<(Change, bool)>,
     pub(super) picture: Option<ColorImage>,
     pub(super) chooser: Option<Chooser>,
-    pub(super) jobs: Jobs<Self>,
+    pub(crate) jobs: Jobs<Self>,
 }
 
 type Figures = Result<StandardsFigures, String>;

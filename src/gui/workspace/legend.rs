@@ -175,13 +175,18 @@ const THICK: f32 = 7.0;
 /// Pieces of the scale.
 const PIECES: u16 = 48;
 
-/// The scale of lengths as an entry of the legend, from little to much; none without the heat map.
-fn colour_bar(ui: &Ui, workbench: &Workbench, shown: &Shown, long: f32) -> Option<Entry> {
+/// The name of the scale of lengths and what its end says; none without the heat map.
+fn scale(workbench: &Workbench, shown: &Shown) -> Option<[String; 2]> {
     workbench.heat()?;
     let units = workbench.units();
+    let long = significant(units.length_value(shown.look.long_mm), 2);
     let name = format!("{}, {}", say!("heat map"), units.length_name());
-    let most = significant(units.length_value(shown.look.long_mm), 2);
-    let high = format!("≥ {most}");
+    Some([name, format!("≥ {long}")])
+}
+
+/// The scale as an entry of the legend: from little to much.
+fn colour_bar(ui: &Ui, workbench: &Workbench, shown: &Shown, long: f32) -> Option<Entry> {
+    let [name, high] = scale(workbench, shown)?;
     let palette = Palette::of(ui);
     let width = |text: &str| widgets::width_of(ui, text, FontId::proportional(size::SMALL));
     let before = width("0") + 4.0;
