@@ -28,9 +28,9 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
         .show(ui, |ui| {
             for line in Details::LINES {
                 let dated = Some(say!("such as 22 Nov 2026")).filter(|_| line.key == "date");
-                let (hint, wide) = (dated.unwrap_or_default(), ui.available_width());
                 let (name, value) = (spoken(line.name), (line.of)(&mut stated.details));
                 ui.weak(name);
+                let (hint, wide) = (dated.unwrap_or_default(), ui.available_width());
                 field(ui, name, value, hint, wide);
                 ui.end_row();
             }
