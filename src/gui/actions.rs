@@ -2,17 +2,14 @@
 //! what the help lists.
 
 use crate::gui::files;
-use crate::gui::view::NextAction;
+use crate::gui::view::{About, NextAction, Plane, Preferences, Sheet, Step, Theme, What};
 
 use crate::text::{Template, capital, filled, spoken, within};
 use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Role, Ui, WidgetInfo};
 
 use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::simulate::Form;
-use crate::gui::style::Layout;
-use crate::gui::view::{About, Plane, Sheet, Step, What};
-use crate::gui::view::{Preferences, Theme};
-use crate::gui::widgets::{Buttons, Does, dots};
+use crate::gui::widgets::{Buttons, Does, Layout, dots};
 use crate::gui::workbench::Workbench;
 use crate::present::units::Units;
 
@@ -194,7 +191,7 @@ actions! {
     SEARCH: COMMAND, G, |_| say!("Run diagnosis").into(),
         |bench, _| bench.search(), [when(measured)];
     CANCEL: COMMAND, Period, |_| say!("Cancel what is running").into(), |bench, _| bench.cancel_newest(),
-        [when(|now| now.jobs().newest().is_some())];
+        [when(|now| now.jobs.newest().is_some())];
     EXCLUDE: PLAIN, Delete, exclude_says,
         |bench, _| {
             let (chosen, out) = (bench.view.chosen(), !are_excluded(bench));

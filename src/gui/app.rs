@@ -9,12 +9,12 @@ use std::time::Duration;
 use egui::style::NumberFormatter;
 use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Rangef, Ui, ViewportCommand};
 
-use super::view::{NextAction, Sheet};
-use super::view::{Preferences, largest_zoom};
+use super::view::{NextAction, Preferences, Sheet, largest_zoom};
 use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::jobs::{Jobs, Runner};
-use crate::gui::style::{self, LEFT, MIDDLE, Palette, RIGHT, WIDEST, space};
-use crate::gui::views::{chart, menu, results, status, steps};
+use crate::gui::style::{self, Palette, space};
+use crate::gui::views::{chart, menu, status, steps};
+use crate::gui::widgets::{LEFT, MIDDLE, RIGHT, WIDEST};
 use crate::gui::workbench::Workbench;
 use crate::present::numbers::write_numbers;
 use crate::text::Language;
@@ -210,7 +210,7 @@ impl App {
             palette.surface,
         );
         let left = left.show(ui, |ui| steps::show(ui, workbench));
-        let results = |ui: &mut Ui| results::show(ui, workbench);
+        let results = |ui: &mut Ui| steps::results(ui, workbench);
         if let Some(width) = room.right {
             let left = left.response.rect.width();
             pulled(

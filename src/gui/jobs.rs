@@ -234,11 +234,6 @@ impl Running {
         doing.unwrap_or_else(|| self.what.clone())
     }
 
-    /// Whether it searches for what is missing.
-    pub(crate) fn searches(&self) -> bool {
-        self.kind == Kind::Searches
-    }
-
     /// Names of the effects that a search has found so far.
     pub(crate) fn found(&self) -> Vec<String> {
         self.watch

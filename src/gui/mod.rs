@@ -40,7 +40,6 @@ mod charts;
 /// What the window works on, without a view and without anything that is drawn.
 mod core {
     pub(crate) mod answer;
-    pub(crate) mod choices;
     pub(crate) mod compensated;
     pub(crate) mod disk;
     pub(crate) mod document;
@@ -50,7 +49,6 @@ mod core {
     pub(crate) mod quantity;
     pub(crate) mod regions;
     pub(crate) mod robot_table;
-    pub(crate) mod search;
     pub(crate) mod setup;
     pub(crate) mod simulate;
     pub(crate) mod skeleton;
@@ -70,7 +68,6 @@ mod views {
     pub(crate) mod blocks;
     pub(super) mod chart;
     mod copies;
-    mod coverage;
     mod export;
     mod gap;
     pub(super) mod menu;

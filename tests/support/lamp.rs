@@ -13,7 +13,9 @@ use crate::units::rad_from_deg;
 
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::simulate::Chosen;
+use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Jobs, Runner};
+use crate::gui::view::Sheet;
 use crate::gui::workbench::Workbench;
 
 /// A lamp on one axis that turns, off by 3° and 5 mm too short, swept there and back in steps of this many degrees,
@@ -58,7 +60,7 @@ pub(crate) fn lamp(step_deg: f64, effects: &[&'static str]) -> Arc<LoadedSession
         (effect.about().id, names.map(|name| (name, value)).collect())
     });
     let chosen = effects.iter().map(|id| {
-        let chosen = Chosen::new(id).expect("it is in the catalogue");
+        let chosen = in_the_first_joint(id).expect("it is in the catalogue");
         (chosen.id, chosen.parameters)
     });
     let terms = own.into_iter().chain(chosen);
@@ -83,4 +85,28 @@ pub(crate) fn workbench() -> Workbench {
 pub(crate) fn workbench_on(session: Arc<LoadedSession>) -> Workbench {
     let jobs = Jobs::new(Runner::AtOnce, Arc::new(|| {}));
     Workbench::new(session, jobs)
+}
+
+/// An effect of the first joint, which turns, at values that can be seen.
+pub(crate) fn in_the_first_joint(id: &'static str) -> Option<Chosen> {
+    Chosen::on(id, (1, JointKind::Revolute))
+}
+
+impl Workbench {
+    /// Whether the answer that is shown belongs to the document as it is.
+    pub(crate) fn settled(&self) -> bool {
+        match (self.question(), self.derived.identified.made()) {
+            (None, _) => true,
+            (Some(asked), Some((of, _))) => *of == asked,
+            (Some(_), None) => false,
+        }
+    }
+
+    /// Changes what is said of a foreign file, and looks at it with that.
+    pub(crate) fn change_draft(&mut self, change: impl FnOnce(&mut ImportDraft)) {
+        if let Some(Sheet::Import(draft)) = &mut self.view.sheet {
+            change(draft);
+        }
+        self.keep_looking();
+    }
 }

@@ -11,21 +11,17 @@ use crate::effects::{Inputs, JointValues};
 use crate::export::poses::measured_poses;
 use crate::export::{Export, Job, Options, Reference};
 use crate::fit::gap::Spread;
-use crate::gui::cache::cloud::{Cloud, Remainder};
 use crate::gui::core::answer::{Answer, Question, QuestionDetails, answer};
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::overview::Readable;
 use crate::gui::jobs::Watch;
 use crate::language::spoken;
-use crate::numeric::Ascending;
 use crate::pipeline::{self, CheckedExport};
 use crate::sessions::files::open::read_document;
 use crate::standards::Standards;
 use crate::text::Text;
 
-pub(crate) mod cloud;
-pub(crate) mod points;
+pub(crate) mod heat;
 
 /// The session and the answer that something is worked out for.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,32 +64,8 @@ pub(crate) struct IdentifiedAnswer {
     pub(crate) question: Question,
     /// The answer, or why there is none.
     pub(crate) answer: Result<Answer, String>,
-    /// What follows from it for drawing.
-    pub(crate) after: Option<AnswerSummary>,
     /// What files are made of, or why none are; worked out when it is first asked for.
     handed_out: OnceLock<Result<Arc<VerifiedCalibration>, String>>,
-}
-
-/// What every frame needs to know of an answer, worked out once.
-#[derive(Debug, Clone)]
-pub(crate) struct AnswerSummary {
-    /// What is left, as it is uploaded.
-    pub(crate) remainder: Arc<Remainder>,
-    /// Ascending of what is left.
-    pub(crate) lengths: Ascending,
-    /// What decides at which magnification what is left can be read.
-    pub(crate) readable: Readable,
-}
-
-impl AnswerSummary {
-    fn new(loaded_session: &LoadedSession, answer: &Answer) -> Self {
-        let remainder = Cloud::of(loaded_session).remainder(&answer.after_mm, &answer.suspected);
-        Self {
-            remainder: Arc::new(remainder),
-            lengths: Ascending::new(&answer.lengths_mm),
-            readable: Readable::new(loaded_session.overview.radius_mm, &answer.lengths_mm),
-        }
-    }
 }
 
 only_itself!(IdentifiedAnswer);
@@ -101,13 +73,9 @@ only_itself!(IdentifiedAnswer);
 impl IdentifiedAnswer {
     /// Works the answer out. Takes its time with many samples.
     pub(crate) fn to(question: Question, watch: &Watch) -> Self {
-        let answer = answer(&question, watch);
-        let after = answer.as_ref().ok();
-        let after = after.map(|answer| AnswerSummary::new(&question.loaded_session, answer));
         Self {
+            answer: answer(&question, watch),
             question,
-            answer,
-            after,
             handed_out: OnceLock::new(),
         }
     }
@@ -146,11 +114,11 @@ impl PreviewRequest {
     pub(crate) fn made(&self, name: &str) -> Result<CheckedExport, String> {
         let choice = &self.choice;
         let reference = choice.reference.as_ref().map(|path| {
-            let bytes = read_document(path).map_err(|error| spoken(error.describe()))?;
-            Ok::<_, String>((path.display().to_string(), bytes))
+            let read = read_document(path);
+            read.map(|bytes| (path.display().to_string(), bytes))
         });
-        let reference = reference.transpose()?;
-        let reference = reference.as_ref();
+        let reference = reference.transpose();
+        let reference = reference.map_err(|error| spoken(error.describe()))?;
         let verified = self.identified.handed_out()?;
         let job = Job {
             joint: choice.joint,
@@ -159,7 +127,7 @@ impl PreviewRequest {
                 zeros: choice.zeros,
                 motors: choice.motors,
                 convention: choice.convention,
-                reference: reference.map(|(name, bytes)| Reference { name, bytes }),
+                reference: (reference.as_ref()).map(|(name, bytes)| Reference { name, bytes }),
             },
             ..Job::new(&verified, name)
         };
@@ -184,14 +152,10 @@ only_itself!(ExportPreview);
 
 /// Makes an export in memory, to be looked at before it is saved, or says why there is none.
 pub(crate) fn preview(wanted: &PreviewRequest) -> Result<Arc<ExportPreview>, String> {
-    let PreviewRequest {
-        identified: outcome,
-        choice,
-        name,
-    } = wanted;
+    let (outcome, choice) = (&wanted.identified, &wanted.choice);
     let session = &outcome.question.loaded_session.session;
     let calibration = &*outcome.handed_out()?;
-    let name = name.clone();
+    let name = wanted.name.clone();
     let name = name.unwrap_or_else(|| choice.file_name(&session.name));
     let inputs = if outcome.question.loaded_session.is_empty() {
         measured_poses(&Job::new(calibration, &name))

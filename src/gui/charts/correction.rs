@@ -40,10 +40,8 @@ impl ChartKind for Correction {
     }
 
     fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
-        let made = scene
-            .preview
-            .as_deref()
-            .and_then(|made| chart(made, scene.units));
+        let preview = scene.preview.as_deref();
+        let made = preview.and_then(|made| chart(made, scene.units));
         let chart = made.ok_or(ChartPlaceholder::new(
             say!("This format describes the robot itself and has no table"),
             "",
@@ -58,11 +56,9 @@ impl ChartKind for Correction {
 
     /// Every entry.
     fn numbers(&self, scene: &Scene) -> Table {
-        let Some((made, read)) = scene
-            .preview
-            .as_deref()
-            .and_then(|m| Some((m, m.export.reads_as.as_ref()?)))
-        else {
+        let preview = scene.preview.as_deref();
+        let read = preview.and_then(|made| Some((made, made.export.reads_as.as_ref()?)));
+        let Some((made, read)) = read else {
             return Table::default();
         };
         let unit = read.kind.unit();

@@ -51,13 +51,8 @@ impl ChartKind for Gap {
         let floor_mm = scene.diagnosis().map(|d| d.floor.mm);
         let steps = steps(scene);
         let proposed = proposed(scene);
-        let chart = gap(
-            steps,
-            proposed,
-            floor_mm,
-            scene.document.tolerance_mm,
-            lengths,
-        );
+        let tolerance_mm = scene.document.tolerance_mm;
+        let chart = gap(steps, proposed, floor_mm, tolerance_mm, lengths);
         let mut chart =
             chart.ok_or(ChartPlaceholder::new(say!("nothing is identified yet"), ""))?;
         chart.note = if proposed.is_empty() {

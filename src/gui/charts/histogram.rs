@@ -83,12 +83,8 @@ struct DrawnBars {
 impl DrawnBars {
     /// The component of a sample that is counted: what is left if anything is, else before.
     fn value(&self, sample: usize, after: bool) -> f64 {
-        let loaded_session = &self.scene.loaded_session;
-        let e = match self.scene.answer().filter(|_| after) {
-            Some(answer) => answer.deviation_after(sample),
-            None => loaded_session.deviation_before(sample),
-        };
-        loaded_session.component(e, sample, self.scene.component)
+        let after = after && self.scene.answer().is_some();
+        self.scene.value(usize::from(after), sample)
     }
 }
 

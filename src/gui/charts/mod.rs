@@ -6,17 +6,14 @@
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
-use crate::gui::cache::points::{Points, PointsOfBoth, When, at};
 use crate::gui::cache::{ExportPreview, IdentifiedAnswer};
-use crate::gui::core::answer::Answer;
+use crate::gui::core::answer::{Answer, Search};
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::quantity::{Over, Scale};
-use crate::gui::core::search::Search;
 use crate::gui::help::Word;
 use crate::gui::view::{Plane, Step};
-use crate::present::chart::{Chart, ColourRole, Entry, Form, Item, LegendSymbol, Lengths, Mark};
-use crate::present::numbers::{Notation, grouped};
+use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Lengths};
+use crate::present::numbers::Notation;
 use crate::present::table::Table;
 use crate::present::units::Units;
 use crate::text::{Language, Template, spoken};
@@ -46,9 +43,8 @@ register! {
 pub(crate) struct About {
     /// What it is: what its picture is called, as it stands within a sentence.
     pub(crate) id: &'static str,
-    /// Its name where there is little room.
-    short: Template,
-    name: Template,
+    /// Its name where there is little room, and in full.
+    names: [Template; 2],
     /// What its question mark explains; the glossary lists it.
     pub(crate) word: Word,
     /// What is chosen for it.
@@ -71,11 +67,9 @@ pub(crate) enum ChartChoice {
 impl About {
     /// `names` are that of the list and that of the plot.
     const fn new(id: &'static str, names: [Template; 2], word: Word, of: ChartChoice) -> Self {
-        let [short, name] = names;
         Self {
             id,
-            short,
-            name,
+            names,
             word,
             of,
         }
@@ -83,11 +77,11 @@ impl About {
 
     /// Its name where there is little room.
     pub(crate) fn short(&self) -> &'static str {
-        spoken(self.short)
+        spoken(self.names[0])
     }
 
     pub(crate) fn name(&self) -> &'static str {
-        spoken(self.name)
+        spoken(self.names[1])
     }
 }
 
@@ -142,6 +136,9 @@ pub(crate) struct Shown {
     pub(crate) description: String,
     pub(crate) pointed: HoverTarget,
 }
+
+/// Before, 0, or after, 1.
+pub(crate) type When = usize;
 
 /// What the pointer finds on a chart.
 pub(crate) enum HoverTarget {
@@ -216,19 +213,20 @@ impl Scene {
         self.identified.as_ref()?.answer.as_ref().ok()
     }
 
-    /// A component of some samples' deviations before, and after where it is known.
-    fn values(&self, samples: &[usize]) -> (Vec<f64>, Option<Vec<f64>>) {
-        let session = &self.loaded_session;
-        let of = |deviation: &dyn Fn(usize) -> [f64; 3]| {
-            let value = |i: &usize| session.component(deviation(*i), *i, self.component);
-            samples.iter().map(value).collect::<Vec<f64>>()
+    /// The component of a sample's deviation, before or after, mm; NaN where that is not known.
+    fn value(&self, when: When, sample: usize) -> f64 {
+        let deviation = match when {
+            0 => Some(self.loaded_session.deviation_before(sample)),
+            _ => self.answer().map(|answer| answer.deviation_after(sample)),
         };
-        let before = of(&|i| session.deviation_before(i));
-        let after = self.answer();
-        (
-            before,
-            after.map(|answer| of(&|i| answer.deviation_after(i))),
-        )
+        let value = |e| self.loaded_session.component(e, sample, self.component);
+        deviation.map_or(f64::NAN, value)
+    }
+
+    /// The same of some samples before, and after where it is known.
+    fn values(&self, samples: &[usize]) -> (Vec<f64>, Option<Vec<f64>>) {
+        let of = |when| samples.iter().map(|i| self.value(when, *i)).collect();
+        (of(0), self.answer().map(|_| of(1)))
     }
 
     pub(crate) fn diagnosis(&self) -> Option<&Diagnosis> {
@@ -273,143 +271,6 @@ impl Scene {
 /// What noise does, in a legend.
 fn of_noise(name: &str) -> Entry {
     Entry::new(name, LegendSymbol::Line, ColourRole::Noise, false)
-}
-
-/// Samples as a chart shows them: a component of the deviation over a quantity, before and after.
-pub(crate) struct Seen {
-    pub(crate) scene: Arc<Scene>,
-    pub(crate) over: Over,
-    pub(crate) scales: [Scale; 2],
-    pub(crate) cloud: PointsOfBoth,
-}
-
-impl Seen {
-    pub(crate) fn of(scene: &Arc<Scene>, over: Over) -> Self {
-        let (loaded_session, what) = (&scene.loaded_session, (over, scene.component));
-        let cloud = PointsOfBoth::of(loaded_session, scene.answer(), what);
-        let across = |span| over.scale(loaded_session, scene.units, span);
-        let mut seen = Self {
-            scene: Arc::clone(scene),
-            over,
-            scales: [across(0.0), Scale::length(scene.units)],
-            cloud,
-        };
-        let span = seen.extent().map_or(0.0, |[x, _]| x[1] - x[0]);
-        seen.scales[0] = across(span);
-        seen
-    }
-
-    /// What is drawn: before, after, or both.
-    pub(crate) fn whens(&self) -> impl Iterator<Item = When> + use<> {
-        let after = self.scene.answer().is_some();
-        let before = !(after && self.scene.only_after());
-        [(0, before), (1, after)]
-            .into_iter()
-            .filter_map(|(when, seen)| seen.then_some(when))
-    }
-
-    pub(crate) fn points(&self, when: When) -> &Points {
-        &self.cloud.0[when]
-    }
-
-    /// Smallest and largest value across and upwards of what is drawn, inner units.
-    pub(crate) fn extent(&self) -> Option<[[f64; 2]; 2]> {
-        let all = self.whens().filter_map(|when| self.points(when).extent);
-        all.reduce(|a, b| [0, 1].map(|k| [a[k][0].min(b[k][0]), a[k][1].max(b[k][1])]))
-    }
-
-    /// Where a sample is, inner units.
-    pub(crate) fn place(&self, when: When, sample: usize) -> [f64; 2] {
-        let (session, answer) = (&self.scene.loaded_session, self.scene.answer());
-        at(
-            session,
-            answer,
-            (self.over, self.scene.component),
-            when,
-            sample,
-        )
-    }
-
-    pub(crate) fn form(&self, sample: usize) -> Form {
-        Form::of_side(self.over.side(&self.scene.loaded_session, sample))
-    }
-
-    /// Whether any mark points to a side.
-    pub(crate) fn has_sides(&self) -> bool {
-        let drawn = &self.points(0).drawn;
-        drawn
-            .iter()
-            .any(|sample| self.form(*sample as usize) != Form::Disc)
-    }
-
-    /// What is not drawn.
-    pub(crate) fn notes(&self) -> Vec<String> {
-        let mut notes = Vec::new();
-        let points = self.points(self.whens().last().unwrap_or(0));
-        let (drawn, all) = (points.drawn.len(), points.samples.len());
-        if drawn < all {
-            notes.push(say!(
-                "{drawn} of {all} points shown: zoom in for more",
-                drawn = grouped(drawn),
-                all = grouped(all)
-            ));
-        }
-        let unplaced = self.scene.usable().len() - all;
-        if unplaced > 0 {
-            notes.push(say!(
-                one "{count} sample has no value and is not shown",
-                "{count} samples have no value and are not shown",
-                count = unplaced
-            ));
-        }
-        notes
-    }
-
-    /// Those that are drawn between two places along the chart.
-    fn between(&self, when: When, x: [f64; 2]) -> &[u32] {
-        let x = x.map(|x| self.scales[0].value_at(x));
-        let across = |sample: u32| self.place(when, sample as usize)[0];
-        self.points(when).between(x, across)
-    }
-}
-
-impl Samples for Seen {
-    fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
-        let places = self.whens().map(|when| self.place(when, sample));
-        let known = places.filter(|at| at.iter().all(|v| v.is_finite()));
-        known
-            .map(|at| [0, 1].map(|k| self.scales[k].shown(at[k])))
-            .collect()
-    }
-
-    fn near(&self, x: [f64; 2], _: [f64; 2]) -> Vec<usize> {
-        let near = self.whens().flat_map(|when| self.between(when, x));
-        near.map(|sample| *sample as usize).collect()
-    }
-
-    fn in_sight(&self, x: [f64; 2]) -> Vec<Item> {
-        let marks = |when: When| {
-            let here = self.between(when, x).iter().map(|sample| *sample as usize);
-            let mark = |sample: usize| {
-                let at = self.place(when, sample);
-                Mark {
-                    at: [0, 1].map(|k| self.scales[k].shown(at[k])),
-                    form: self.form(sample),
-                }
-            };
-            let (stands, filled) = role(when);
-            Item::Marks(here.map(mark).collect(), stands, filled)
-        };
-        self.whens().map(marks).collect()
-    }
-}
-
-/// The colour of marks before and after, and whether they are filled.
-pub(crate) const fn role(when: When) -> (ColourRole, bool) {
-    match when {
-        0 => (ColourRole::Before, false),
-        _ => (ColourRole::After, true),
-    }
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use super::{
     of_noise,
 };
 use crate::gui::core::quantity::{Over, Variable};
-use crate::gui::core::search::terms;
+use crate::gui::core::answer::{terms};
 use crate::gui::help;
 use crate::language;
 use crate::numeric::whole;
@@ -196,15 +196,9 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
     if !line.is_empty() {
         items.push(Item::Line(line, ColourRole::Noise, 1.6, true));
     }
-    names(
-        spectrum,
-        only_after,
-        value(largest),
-        value(top),
-        &of_order,
-        &value,
-        &mut items,
-    );
+    let height = |order: &Order| value(of_order(order));
+    let room = [value(largest), value(top)];
+    items.extend(names(spectrum, only_after, room, &height));
     let ticks = orders.iter().enumerate();
     let ticks = ticks.map(|(k, o)| (k as f64, o.order.to_string()));
     let last = orders.len() as f64 - 0.4;
@@ -226,17 +220,14 @@ fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
     }
 }
 
-/// Names of orders that have a usual cause, with a line down to their bars.
+/// Names of orders that have a usual cause, in the room above all bars, with a line down to theirs.
 fn names(
     spectrum: &Spectrum,
     only_after: bool,
-    largest: f64,
-    top: f64,
+    [largest, top]: [f64; 2],
     of_order: &dyn Fn(&Order) -> f64,
-    value: &dyn Fn(f64) -> f64,
-    items: &mut Vec<Item>,
-) {
-    let mut row = 0;
+) -> Vec<Item> {
+    let mut items = Vec::new();
     for (slot, order) in spectrum.orders.iter().enumerate() {
         let Some(cause) = cause(spectrum, order.order) else {
             continue;
@@ -245,11 +236,11 @@ fn names(
         if !bars.any(Amplitude::stands_out) {
             continue;
         }
-        let part = (row % ROWS) as f64 + 0.6;
-        row += 1;
+        // A line and a word of each before it.
+        let part = (items.len() / 2 % ROWS) as f64 + 0.6;
         let height = top - (top - largest) * part / ROWS as f64;
         let at = slot as f64;
-        let line = vec![[at, value(of_order(order))], [at, height]];
+        let line = vec![[at, of_order(order)], [at, height]];
         items.push(Item::Line(line, ColourRole::Reference, 0.8, false));
         items.push(Item::Word(ChartText {
             at: [at, height],
@@ -258,6 +249,7 @@ fn names(
             below: false,
         }));
     }
+    items
 }
 
 fn note(spectrum: &Spectrum) -> String {

@@ -10,19 +10,17 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use super::deviation::{ANGLE, describe, note};
+use super::deviation::{ANGLE, Seen, describe, note, role};
 use super::{
-    About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Seen, Shown,
+    About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown, When,
 };
-use crate::gui::cache::points::When;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::overview::round_down;
 use crate::gui::core::quantity::Over;
 use crate::gui::help;
 use crate::gui::view::Plane;
 use crate::numeric::whole;
 use crate::present::chart::{
-    Axis, Chart, ChartText, ColourRole, Entry, Form, Item, LegendSymbol, Mark, Ticks,
+    Axis, Chart, ChartText, ColourRole, Entry, Form, Item, LegendSymbol, Mark, Ticks, decade,
 };
 use crate::present::drawing::Anchor;
 use crate::present::numbers::trimmed;
@@ -232,10 +230,12 @@ impl Drawn {
             items.push(Item::Line(ends.to_vec(), thin, 0.5, false));
             // Angles as joints have them: from −180° to 180°.
             let turn = if 2 * k > SPOKES { TAU } else { 0.0 };
-            items.push(word(
-                self.place(q, outside + 0.5 * ROOM),
-                units.angle(q - turn),
-            ));
+            items.push(Item::Word(ChartText {
+                at: self.place(q, outside + 0.5 * ROOM),
+                text: units.angle(q - turn),
+                anchor: Anchor::Middle,
+                below: false,
+            }));
         }
         items.push(self.circle(0.0, thin, 1.75, false));
         for at in self.band().into_iter().flatten() {
@@ -246,7 +246,7 @@ impl Drawn {
 
     /// The deviations before or after: each sample, and where all are drawn the mean at each angle.
     fn stage(&self, when: When) -> Vec<Item> {
-        let (role, filled) = super::role(when);
+        let (role, filled) = role(when);
         let points = self.of.points(when);
         let drawn = points.drawn.iter().map(|sample| *sample as usize);
         let mark = |sample: usize| {
@@ -274,26 +274,15 @@ impl Drawn {
     }
 }
 
-fn word(at: [f64; 2], text: String) -> Item {
-    Item::Word(ChartText {
-        at,
-        text,
-        anchor: Anchor::Middle,
-        below: false,
-    })
-}
-
 /// The smallest of 1, 2, 5 × 10ⁿ that is not below `value`; 0 for nothing.
 fn round_up(value: f64) -> f64 {
     if value <= 0.0 || !value.is_finite() {
         return 0.0;
     }
-    let below = round_down(value);
-    let next = [1.0, 2.0, 2.5, 5.0].map(|times| times * below);
-    let enough = |one: &f64| {
-        *one >= value * (1.0 - 1e-9) && (round_down(one * (1.0 + 1e-9)) / one - 1.0).abs() < 1e-6
-    };
-    next.into_iter().find(enough).unwrap_or(10.0 * below)
+    let decade = decade(value);
+    let round = [1.0, 2.0, 5.0].map(|lead| lead * decade);
+    let mut enough = round.into_iter().filter(|one| *one >= value * (1.0 - 1e-9));
+    enough.next().unwrap_or(10.0 * decade)
 }
 
 /// The mean deviation over the angle of what came from each side, in pieces without gaps.

@@ -1,29 +1,32 @@
-//! What an identification answers, and a model that was read from a file: it takes the place of an
-//! identification, so that the same panels show both.
+//! What is asked of the samples and what they answer: an identification, a search for what is missing; and a model that
+//! was read from a file: it takes the place of an identification, so that the same panels show both.
 //!
 //! With a session of the same robot a model is held against the samples by
 //! [`verify`](crate::compensation::verify), as the terminal does it. Without one there is nothing to
 //! hold it against: its parameters and its table are shown by themselves.
 
 use std::cell::Cell;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::answers::diagnosis::DataProblem;
 use crate::compensation::{Regional, Verification, VerifiedCalibration};
-use crate::diagnosis::Diagnosis;
+use crate::diagnosis::{DiagnoseError, Diagnosis, FoundEffect, Options, Progress};
 use crate::effects::{Inputs, JointValues, Term};
-use crate::fit::gap::{Spread, deviations};
+use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::fit::problem::Problem;
 use crate::fit::uncertainty::{all_estimates, normal_95};
 use crate::fit::{DEFAULT_EFFECTS, Gap, Identification, Outlier, Quality, RegionResult};
 use crate::gui::core::disk::name_of;
-use crate::gui::core::loaded_session::{LoadedSession, Origin};
-use crate::gui::core::search::{Search, terms};
+use crate::gui::core::loaded_session::{LoadedSession, Origin, Remainder};
+use crate::gui::core::overview::Readable;
 use crate::gui::jobs::Watch;
 use crate::language::spoken;
 use crate::model::{Calibration, RegionalCorrection};
-use crate::pipeline::{Identified, Method, identify_checked, identify_checked_unless, verify};
+use crate::numeric::Ascending;
+use crate::pipeline::{
+    Identified, Method, diagnose, identify_checked, identify_checked_unless, verify,
+};
 use crate::sessions::division::RegionChoice;
 use crate::sessions::regions::Assignment;
 use crate::sessions::{Instrument, Region, Samples, Session, hash_of_samples};
@@ -36,28 +39,43 @@ pub(crate) struct Answer {
     pub(crate) calibration: Calibration,
     /// Problems of the data; what is mechanical was corrected before the fit.
     pub(crate) data_problems: Vec<DataProblem>,
-    /// Where the model was read from, if it was.
-    pub(crate) loaded: Option<LoadedModelSummary>,
-    /// What is left of the deviations, mm; NaN for samples that cannot be used.
-    pub(crate) after_mm: [Vec<f64>; 3],
-    /// Their lengths, mm.
-    pub(crate) lengths_mm: Vec<f64>,
-    /// Suspected outliers.
-    pub(crate) suspected: Vec<bool>,
-}
-
-/// What there is to say about a model that was read from a file.
-#[derive(Debug, Clone)]
-pub(crate) struct LoadedModelSummary {
-    pub(crate) file: String,
-    /// What it does on the session; `None` where nothing was measured.
+    /// What a model that was read from a file does on the session; `None` where nothing was measured, or it was identified.
     pub(crate) verification: Option<Verification>,
+    /// What is left of the deviations; NaN for samples that cannot be used.
+    pub(crate) after: Deviations,
+    /// The same as it is uploaded.
+    pub(crate) remainder: Arc<Remainder>,
+    /// Ascending of what is left.
+    pub(crate) lengths: Ascending,
+    /// What decides at which magnification what is left can be read.
+    pub(crate) readable: Readable,
 }
 
 impl Answer {
+    /// With what every frame needs to know of it.
+    fn new(
+        identified: Identified,
+        verification: Option<Verification>,
+        after: Deviations,
+        loaded_session: &LoadedSession,
+    ) -> Self {
+        let suspected = suspected(&identified.identification, loaded_session.len());
+        let remainder = loaded_session.cloud().remainder(&after.axes_mm, &suspected);
+        Self {
+            identification: identified.identification,
+            calibration: identified.calibration,
+            data_problems: identified.data_problems,
+            verification,
+            remainder: Arc::new(remainder),
+            lengths: Ascending::new(&after.length_mm),
+            readable: Readable::new(loaded_session.overview.radius_mm, &after.length_mm),
+            after,
+        }
+    }
+
     /// What is left of a sample's deviation, mm.
     pub(crate) fn deviation_after(&self, sample: usize) -> [f64; 3] {
-        std::array::from_fn(|axis| self.after_mm[axis][sample])
+        std::array::from_fn(|axis| self.after.axes_mm[axis][sample])
     }
 }
 
@@ -71,14 +89,6 @@ pub(crate) struct LoadedModel {
 only_itself!(LoadedModel);
 
 impl LoadedModel {
-    /// A model that was read from a file.
-    pub(crate) fn new(calibration: VerifiedCalibration, path: &Path) -> Self {
-        Self {
-            calibration,
-            path: path.to_path_buf(),
-        }
-    }
-
     pub(crate) fn file_name(&self) -> String {
         name_of(&self.path).into_owned()
     }
@@ -127,10 +137,7 @@ impl LoadedModel {
 pub(crate) const METHOD: &str = "model";
 
 /// What the model says about a session.
-pub(super) fn of_model(
-    loaded_model: &LoadedModel,
-    loaded_session: &LoadedSession,
-) -> Result<Answer, String> {
+fn of_model(loaded_model: &LoadedModel, loaded_session: &LoadedSession) -> Result<Answer, String> {
     let calibration = Calibration::clone(&loaded_model.calibration);
     let verified = if loaded_session.is_empty() {
         None
@@ -139,22 +146,13 @@ pub(super) fn of_model(
         Some(verify(&calibration, session).map_err(|e| spoken(e.describe()))?)
     };
     let after = verified.as_ref().map(|v| v.after.clone());
-    let (after_mm, lengths_mm) = after.map_or_else(Default::default, |a| (a.axes_mm, a.length_mm));
-    let identification = identification(loaded_model, loaded_session, verified.as_ref());
-    let suspected = suspected(&identification, loaded_session.len());
-    let loaded = LoadedModelSummary {
-        file: loaded_model.file_name(),
-        verification: verified,
-    };
-    Ok(Answer {
-        identification,
+    let identified = Identified {
+        identification: identification(loaded_model, loaded_session, verified.as_ref()),
         calibration,
         data_problems: Vec::new(),
-        loaded: Some(loaded),
-        after_mm,
-        lengths_mm,
-        suspected,
-    })
+    };
+    let after = after.unwrap_or_default();
+    Ok(Answer::new(identified, verified, after, loaded_session))
 }
 
 fn identification(
@@ -170,10 +168,12 @@ fn identification(
         max_mm: 0.0,
     };
     let coefficients = model.coefficient_count();
-    let outlier = |v: &Verification, sample: usize| Outlier {
-        sample,
-        deviation_mm: v.after.length_mm[sample],
-    };
+    let outliers = verified.into_iter().flat_map(|v| {
+        v.outliers.iter().map(|sample| Outlier {
+            sample: *sample,
+            deviation_mm: v.after.length_mm[*sample],
+        })
+    });
     Identification {
         session: loaded_session.session.name.clone(),
         method: METHOD,
@@ -191,12 +191,7 @@ fn identification(
         held_out: None,
         levels: Vec::new(),
         expected: None,
-        outliers: verified.map_or_else(Vec::new, |v| {
-            v.outliers
-                .iter()
-                .map(|sample| outlier(v, *sample))
-                .collect()
-        }),
+        outliers: outliers.collect(),
         left_out: Vec::new(),
         noise_mm: None,
         noise: None,
@@ -238,7 +233,7 @@ fn regions(
 }
 
 /// Which samples an identification suspects.
-pub(super) fn suspected(identification: &Identification, samples: usize) -> Vec<bool> {
+fn suspected(identification: &Identification, samples: usize) -> Vec<bool> {
     let mut suspected = vec![false; samples];
     for outlier in &identification.outliers {
         suspected[outlier.sample] = true;
@@ -345,11 +340,7 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
     let loaded_session = &*question.loaded_session;
     let session = &loaded_session.session;
     let values = JointValues::Commanded;
-    let Identified {
-        identification,
-        calibration,
-        data_problems,
-    } = match &question.asks {
+    let identified = match &question.asks {
         QuestionDetails::Given(given) => return of_model(given, loaded_session),
         QuestionDetails::Exact {
             effects,
@@ -367,27 +358,24 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
             identify_checked(session, &method, values).map_err(|e| spoken(e.describe()))?
         }
     };
-    let after_mm = if let QuestionDetails::Regional(_) = &question.asks {
-        after_regional(loaded_session, &identification)
-    } else if data_problems.iter().any(|problem| problem.mend.is_some()) {
+    let mut problems = identified.data_problems.iter();
+    let axes_mm = if let QuestionDetails::Regional(_) = &question.asks {
+        after_regional(loaded_session, &identified.identification)
+    } else if problems.any(|problem| problem.mend.is_some()) {
         // The model reads the samples as they were corrected.
-        let verification = verify(&calibration, session).map_err(|e| spoken(e.describe()))?;
-        verification.after.axes_mm
+        let verified = verify(&identified.calibration, session);
+        verified.map_err(|e| spoken(e.describe()))?.after.axes_mm
     } else {
-        deviations(&Problem::new(session, values), &identification.model).axes_mm
+        deviations(
+            &Problem::new(session, values),
+            &identified.identification.model,
+        )
+        .axes_mm
     };
-    let length = |i: usize| after_mm.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
-    let lengths_mm = (0..loaded_session.len()).map(length).collect();
-    let suspected = suspected(&identification, loaded_session.len());
-    Ok(Answer {
-        identification,
-        calibration,
-        data_problems,
-        loaded: None,
-        after_mm,
-        lengths_mm,
-        suspected,
-    })
+    let length = |i: usize| axes_mm.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
+    let length_mm = (0..loaded_session.len()).map(length).collect();
+    let after = Deviations { axes_mm, length_mm };
+    Ok(Answer::new(identified, None, after, loaded_session))
 }
 
 /// What a search says, where all that it found is asked for: its own fit, and the smooth correction
@@ -458,4 +446,99 @@ fn after_regional(
         }
     }
     after
+}
+
+// A search for what is missing, as the window keeps it: the diagnosis of one session, and the model's term of each name
+// that was found.
+
+#[derive(Debug, Clone)]
+pub(crate) struct Search {
+    /// The session that was searched.
+    pub(crate) loaded_session: Arc<LoadedSession>,
+    /// What was found, or why there is no answer.
+    pub(crate) answer: Result<Diagnosis, String>,
+}
+
+/// The stage in which names are found.
+const SEARCHING: usize = 2;
+
+/// Part of the whole that is done when a stage begins.
+const BEGUN: [f64; 5] = [0.02, 0.1, 0.25, 0.7, 0.85];
+
+only_itself!(Search);
+
+impl Search {
+    /// Searches. Takes its time.
+    pub(crate) fn of(loaded_session: Arc<LoadedSession>, watch: &Watch) -> Self {
+        let answer = diagnose(
+            &loaded_session.session,
+            &options(),
+            &progress_callback(watch),
+        );
+        let answer = answer.map_err(|error| match error {
+            DiagnoseError::Cancelled => say!("the search was cancelled").to_owned(),
+            other => other.to_string(),
+        });
+        Self {
+            loaded_session,
+            answer,
+        }
+    }
+}
+
+/// How the window searches.
+pub(crate) fn options() -> Options {
+    Options {
+        names_one_by_one: true,
+        ..Options::default()
+    }
+}
+
+/// Passes on how far a search is, and whether it was cancelled.
+pub(crate) fn progress_callback(watch: &Watch) -> impl Fn(&Progress) -> bool {
+    |progress| {
+        let mut share = 0.0;
+        let stage = match progress {
+            Progress::Checking => 0,
+            Progress::Preparing => 1,
+            Progress::Searching { found, percent } => {
+                watch.found(found);
+                share = f64::from(*percent) / 100.0;
+                SEARCHING
+            }
+            Progress::Comparing => 3,
+            Progress::Planning => 4,
+        };
+        // Of a stage that says how far it is, the part that is done.
+        let until = BEGUN.get(stage + 1).copied().unwrap_or(1.0);
+        watch.done(BEGUN[stage] + share * (until - BEGUN[stage]));
+
+        !watch.stopped()
+    }
+}
+
+/// The terms of everything that a search found, each in its place, and last the smooth correction
+/// of what no name explains.
+pub(crate) fn terms(diagnosis: &Diagnosis) -> Vec<Option<Term>> {
+    let found = diagnosis.found.iter().map(|f| term_of(diagnosis, f));
+    let smooth = diagnosis.correction();
+    found.chain(smooth.map(|c| Some(c.term.clone()))).collect()
+}
+
+/// The model's term of a name that was found. Names may come twice with another setting (two
+/// orders of a gear); the setting is their first parameter then.
+pub(crate) fn term_of(diagnosis: &Diagnosis, found: &FoundEffect) -> Option<Term> {
+    let first = found.parameters.first().map_or(0.0, |p| p.value);
+    let robot = &diagnosis.model.robot;
+    let distance = |term: &Term| {
+        let parameters = term.parameters_on(robot.joints[term.joint].kind);
+        parameters.first().map_or(0.0, |p| (p.value - first).abs())
+    };
+    let terms = diagnosis.model.terms().iter();
+    let same = terms.filter(|term| {
+        let about = term.effect.about();
+        about.id == found.effect && found.joint.is_none_or(|joint| joint == term.joint + 1)
+    });
+    same.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        .cloned()
 }

@@ -127,22 +127,19 @@ pub(crate) struct Changed {
 }
 
 impl Compensated {
-    /// Reads and corrects a file; `model` is what the model's file is called.
+    /// Reads and corrects a file, or says why the model is not handed out; `model` is what the model's file is called.
     pub(crate) fn of(
-        calibration: &VerifiedCalibration,
+        calibration: Result<&VerifiedCalibration, String>,
         model: &str,
         wanted: CompensationRequest,
     ) -> Self {
-        let result = corrected(calibration, model, &wanted);
-        Self { wanted, result }
-    }
-
-    /// Nothing is corrected: the model is not handed out.
-    pub(crate) fn refused(wanted: CompensationRequest, says: String) -> Self {
-        let result = Err(NotCorrected {
-            problems: vec![says],
-            differs: Vec::new(),
-        });
+        let result = match calibration {
+            Ok(calibration) => corrected(calibration, model, &wanted),
+            Err(says) => Err(NotCorrected {
+                problems: vec![says],
+                differs: Vec::new(),
+            }),
+        };
         Self { wanted, result }
     }
 

@@ -88,24 +88,16 @@ fn hash(path: &Path) -> io::Result<[u8; 32]> {
 /// A session that comes with the program: keys of what is said of it, and its files.
 pub(crate) struct Example {
     name: Template,
-    what: Template,
-    files: &'static Bundled,
+    /// What is in it.
+    pub(crate) what: Template,
+    /// Document and samples.
+    pub(crate) files: &'static Bundled,
 }
 
 impl Example {
     /// Its name in the menu.
     pub(crate) fn name(&self) -> &'static str {
         spoken(self.name)
-    }
-
-    /// What is in it.
-    pub(crate) fn what(&self) -> &'static str {
-        spoken(self.what)
-    }
-
-    /// Document and samples.
-    pub(crate) fn files(&self) -> (&'static [u8], &'static [u8]) {
-        (self.files.document, self.files.samples)
     }
 }
 

@@ -531,16 +531,11 @@ impl Document {
 /// Angles that were computed become those that a file will have: what is saved is read again to
 /// the last bit.
 pub(super) fn as_saved(session: &mut Session) {
-    let turns = |k: usize| session.robot.joints[k].kind == JointKind::Revolute;
-    let turning: Vec<usize> = (0..session.robot.joints.len())
-        .filter(|k| turns(*k))
-        .collect();
     let samples = &mut session.samples;
-    for k in turning {
-        for q in samples.q[k]
-            .iter_mut()
-            .chain(samples.q_read[k].iter_mut().flatten())
-        {
+    for (k, joint) in session.robot.joints.iter().enumerate() {
+        let read = samples.q_read[k].iter_mut().flatten();
+        let angles = samples.q[k].iter_mut().chain(read);
+        for q in angles.filter(|_| joint.kind == JointKind::Revolute) {
             *q = rad_from_deg(degrees(*q));
         }
     }

@@ -96,11 +96,8 @@ impl<D: Keep> History<D> {
     /// A finished change.
     pub(crate) fn change(&mut self, document: D, what: Template) {
         self.finish_gesture();
-        if *self.present == document {
-            return;
-        }
-        let document = std::mem::replace(&mut self.present, Arc::new(document));
-        self.keep(Entry { document, what });
+        self.change_within_gesture(document, what);
+        self.finish_gesture();
     }
 
     /// A change within a gesture; the first one begins it.

@@ -1,9 +1,8 @@
 //! A session with everything that follows from it alone: worked out once, when it is opened.
 
-use std::convert::Infallible;
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use nalgebra::Isometry3;
 use serde::{Deserialize, Serialize};
@@ -17,10 +16,11 @@ use crate::fit::problem::Problem;
 use crate::kinematics::{JointKind, Range};
 use crate::lanes::{add_scaled, cross, dot, minus};
 use crate::model::Positions;
-use crate::progress::{Cancelled, ProgressSpan};
+use crate::numeric::single;
+use crate::progress::{Cancelled, Progress, ProgressSpan, unwatched};
 use crate::sessions::{Region, Session};
 
-use super::overview::{Attached, Coverage, Overview, measuring_from_base};
+use super::overview::{Coverage, Overview, measuring_from_base};
 use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::regions::{Counts, counted};
 
@@ -46,7 +46,6 @@ named! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
     #[serde(rename_all = "kebab-case")]
     pub(crate) enum Component {
-        Length = say!("length"),
         /// In the direction of motion of joint 1.
         #[default]
         Tangential = say!("tangential"),
@@ -60,22 +59,14 @@ named! {
         Y = "y",
         /// Along z.
         Z = "z",
+        Length = say!("length"),
     }
     pub(crate) fn name;
+    /// All of them, in the order in which they are offered.
+    pub(crate) const ALL;
 }
 
 impl Component {
-    /// All of them, in the order in which they are offered.
-    pub(crate) const ALL: [Self; 7] = [
-        Self::Tangential,
-        Self::Radial,
-        Self::Axial,
-        Self::X,
-        Self::Y,
-        Self::Z,
-        Self::Length,
-    ];
-
     /// Whether it needs a measured z (for a joint that turns about z).
     pub(crate) fn out_of_plane(self) -> bool {
         matches!(self, Self::Axial | Self::Z)
@@ -106,8 +97,8 @@ pub(crate) struct LoadedSession {
     pub(crate) overview: Overview,
     /// What its samples cover.
     pub(crate) coverage: Coverage,
-    /// What is drawn of its samples, once it was asked for.
-    pub(crate) drawn: Attached,
+    /// Its samples as they are drawn, once they were asked for.
+    cloud: OnceLock<Arc<Cloud>>,
     /// Axis and directions of joint 1 at home.
     pub(crate) joint: JointFrame,
     /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
@@ -130,9 +121,9 @@ only_itself!(LoadedSession);
 impl LoadedSession {
     /// Looks through a session.
     pub(crate) fn new(session: Session, findings: Vec<Diagnostic>, origin: Origin) -> Self {
-        let Ok(loaded_session) =
-            Self::look(session, findings, origin, |_| Ok::<(), Infallible>(()));
-        loaded_session
+        let progress = Progress::new(&unwatched);
+        let looked = Self::watched(session, findings, origin, progress.whole());
+        looked.expect("nobody cancels it")
     }
 
     /// Looks through a session, told as this part of something.
@@ -145,24 +136,14 @@ impl LoadedSession {
         origin: Origin,
         part: ProgressSpan<'_>,
     ) -> Result<Self, Cancelled> {
-        Self::look(session, findings, origin, |share| part.reached(share))
-    }
-
-    /// Looks through a session; `done` hears which part of that is done.
-    fn look<E>(
-        session: Session,
-        findings: Vec<Diagnostic>,
-        origin: Origin,
-        done: impl Fn(f64) -> Result<(), E>,
-    ) -> Result<Self, E> {
         let problem = Problem::new(&session, JointValues::Commanded);
         let model = base_model::nominal(&session.robot, &session, &problem);
         let base = measuring_from_base(&model, 0.0);
-        done(0.1)?;
+        part.reached(0.1)?;
         let nominal = model.predict(&problem.inputs);
-        done(0.2)?;
+        part.reached(0.2)?;
         let before = deviations(&problem, &model);
-        done(0.4)?;
+        part.reached(0.4)?;
         let usable = problem.usable.clone();
         let gap_before = Spread::of(&before.length_mm, |i| problem.fit[i], |_| false);
 
@@ -176,15 +157,15 @@ impl LoadedSession {
             &before.length_mm,
             (single && arm_mm > 0.0).then_some(arm_mm),
         );
-        done(0.6)?;
+        part.reached(0.6)?;
         let coverage = Coverage::new(&session, &problem.inputs);
-        done(0.8)?;
+        part.reached(0.8)?;
         let loaded_session = Self {
             joint,
             arm_mm,
             overview,
             coverage,
-            drawn: Attached::default(),
+            cloud: OnceLock::new(),
             base,
             nominal,
             before,
@@ -199,7 +180,7 @@ impl LoadedSession {
             measured_range: None,
             whole: None,
         };
-        done(1.0)?;
+        part.reached(1.0)?;
         Ok(loaded_session)
     }
 
@@ -231,6 +212,11 @@ impl LoadedSession {
     pub(crate) fn made_of(&self) -> Option<(&Arc<Self>, Vec<usize>)> {
         let whole = self.whole.as_ref()?;
         Some((whole, self.session.samples.excluded_by_hand()))
+    }
+
+    /// Its samples as they are drawn: made when they are first wanted, in the background if possible.
+    pub(crate) fn cloud(&self) -> &Arc<Cloud> {
+        self.cloud.get_or_init(|| Arc::new(Cloud::of(self)))
     }
 
     /// Number of samples.
@@ -378,4 +364,141 @@ fn arm_mm(session: &Session, joint: &JointFrame) -> f64 {
         dot(arm, joint.across_1).hypot(dot(arm, joint.across_2))
     });
     distances.fold(0.0, f64::max)
+}
+
+// The samples as they are uploaded: where each was measured and how far off it was; and with
+// an answer what it leaves.
+//
+// Lengths are mm of the measuring frame, in single precision from the middle of the workspace:
+// 0.03 µm at half a metre. Samples stand in an order whose every beginning is spread evenly over
+// the session (steps of the golden ratio), so that the first of them show the whole. Every nth
+// sample would not: where reflectors or directions alternate it is always the same of them.
+
+/// Measured point, and deviation before.
+pub(crate) type Place = [f32; 6];
+
+/// A row of the [`Remainder`].
+pub(crate) type RemainderRow = [f32; 4];
+
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Cloud {
+    /// What is known of each sample that can be used.
+    pub(crate) places: Vec<Place>,
+    pub(crate) samples: Vec<u32>,
+    /// The middle of the workspace, mm of the measuring frame.
+    pub(crate) centre_mm: [f64; 3],
+}
+
+/// What an answer leaves of the deviations, mm, and 1 where the sample is suspected; in the order of the [`Cloud`].
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Remainder {
+    /// One for each sample of the cloud.
+    pub(crate) rows: Vec<RemainderRow>,
+}
+
+impl Cloud {
+    /// The usable samples of a session.
+    fn of(loaded_session: &LoadedSession) -> Self {
+        let usable = &loaded_session.overview.usable;
+        let samples: Vec<u32> = spread(usable.len()).map(|k| usable[k]).collect();
+        let [low, high] = loaded_session.overview.measured_mm;
+        let centre_mm = std::array::from_fn(|k| {
+            let middle = 0.5 * (low[k] + high[k]);
+            if middle.is_finite() { middle } else { 0.0 }
+        });
+        let place = |sample: &u32| {
+            let sample = *sample as usize;
+            let at = loaded_session.measured(sample);
+            let before = loaded_session.deviation_before(sample);
+            let mut place = [0.0; 6];
+            for k in 0..3 {
+                place[k] = single(at[k] - centre_mm[k]);
+                place[3 + k] = single(before[k]);
+            }
+            place
+        };
+        Self {
+            places: samples.iter().map(place).collect(),
+            samples,
+            centre_mm,
+        }
+    }
+
+    /// What an answer leaves, of each sample here.
+    pub(crate) fn remainder(&self, after_mm: &[Vec<f64>; 3], suspected: &[bool]) -> Remainder {
+        let row = |sample: &u32| {
+            let sample = *sample as usize;
+            let mark = if suspected[sample] { 1.0 } else { 0.0 };
+            let [x, y, z] = [0, 1, 2].map(|k| single(after_mm[k][sample]));
+            [x, y, z, mark]
+        };
+        Remainder {
+            rows: self.samples.iter().map(row).collect(),
+        }
+    }
+}
+
+/// 0 … count in an order whose every beginning is spread evenly: multiples, modulo the count, of
+/// a step that has no divisor with it and is nearly its golden section.
+fn spread(count: usize) -> impl Iterator<Item = usize> {
+    let common = |mut a: usize, mut b: usize| {
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        a
+    };
+    // 0.618034 of any count that memory holds, without rounding.
+    let mut step = (count / 1_000_000 * 618_034 + count % 1_000_000 * 618_034 / 1_000_000).max(1);
+    while common(step, count) > 1 {
+        step += 1;
+    }
+    let next = move |k: &usize| Some((k + step) % count);
+    std::iter::successors((count > 0).then_some(0), next).take(count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::testing::workbench;
+
+    #[test]
+    fn every_beginning_of_the_order_is_spread_evenly() {
+        for count in [0_usize, 1, 2, 3, 100, 1000, 4097] {
+            let order: Vec<usize> = spread(count).collect();
+            let mut sorted = order.clone();
+            sorted.sort_unstable();
+            assert!(sorted.iter().copied().eq(0..count), "{count}");
+        }
+        // No gap is much wider than the mean one; the step is whole, the golden section is not.
+        for (count, first) in [(100_000, 500), (1_000_008, 6_000), (36_000, 1_000)] {
+            let mut some: Vec<usize> = spread(count).take(first).collect();
+            some.sort_unstable();
+            let widest = some.windows(2).map(|pair| pair[1] - pair[0]).max();
+            assert!(widest <= Some(4 * count / first), "{count} {widest:?}");
+        }
+        // Whatever alternates is met in all its forms.
+        for period in [2, 3, 4, 16] {
+            let mut met: Vec<usize> = spread(1_000_000).take(64).map(|k| k % period).collect();
+            met.sort_unstable();
+            met.dedup();
+            assert_eq!(met.len(), period);
+        }
+    }
+
+    #[test]
+    fn the_cloud_holds_what_the_session_holds() {
+        let workbench = workbench();
+        let loaded_session = workbench.loaded_session();
+        let cloud = loaded_session.cloud();
+        assert_eq!(cloud.places.len(), loaded_session.overview.usable.len());
+        for (place, sample) in cloud.places.iter().zip(&cloud.samples) {
+            let measured = loaded_session.measured(*sample as usize);
+            let before = loaded_session.deviation_before(*sample as usize);
+            for k in 0..3 {
+                let at = f64::from(place[k]) + cloud.centre_mm[k];
+                assert!((at - measured[k]).abs() < 1e-4);
+                assert!((f64::from(place[3 + k]) - before[k]).abs() < 1e-5);
+            }
+        }
+    }
 }

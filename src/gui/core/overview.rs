@@ -1,36 +1,16 @@
 //! What follows from a session and is worked out once, when it is opened or changed: what its samples
 //! cover, and what every frame needs to know of them. No frame may look at all samples.
 
-use std::any::Any;
-use std::sync::{Arc, OnceLock};
-
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use crate::effects::term::travel_of;
 use crate::effects::{CATALOGUE, Inputs, Role, Survey};
-use crate::gui::core::skeleton::robot_extent;
+use crate::gui::core::skeleton::Skeleton;
 use crate::model::{Model, Positions};
-use crate::numeric::{Ascending, extent};
+use crate::numeric::Ascending;
 use crate::present::chart::{among, decade};
 use crate::sessions::{Session, Sigma};
 use crate::text::{Template, Text, filled};
-
-/// What others work out about something and keep with it, so that it lives as long: what is drawn
-/// of a session stays with the session, which need not know what that is. Holds things of one type.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Attached(OnceLock<Arc<dyn Any + Send + Sync>>);
-
-impl Attached {
-    /// What is attached; made now if nothing is.
-    ///
-    /// # Panics
-    /// Something of another type is attached.
-    pub(crate) fn get_or_make<T: Any + Send + Sync>(&self, make: impl FnOnce() -> T) -> Arc<T> {
-        let there = self.0.get_or_init(|| Arc::new(make()));
-        let there = Arc::clone(there).downcast::<T>();
-        there.expect("one type of thing is attached")
-    }
-}
 
 /// An effect that this session cannot show, and why.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -56,40 +36,34 @@ impl Coverage {
     /// Looks at every sample.
     pub(crate) fn new(session: &Session, inputs: &Inputs) -> Self {
         let survey = Survey::new(session, inputs);
-        let (testable, not_testable) = effects_of(session, &survey);
+        let (mut testable, mut not_testable) = (Vec::new(), Vec::new());
+        for effect in CATALOGUE {
+            let about = effect.about();
+            let joints = if about.per_joint {
+                session.robot.joints.len()
+            } else {
+                1
+            };
+            let mut obstacles = (0..joints)
+                .filter(|joint| (effect.exists_on)(*joint, survey.joints[*joint].kind))
+                .map(|joint| effect.obstacle(&survey, joint));
+            match obstacles.next() {
+                None => {}
+                Some(Some(because)) if obstacles.all(|o| o.is_some()) => {
+                    not_testable.push(NotTestable {
+                        effect: about.id,
+                        because,
+                    });
+                }
+                Some(_) => testable.push(about.id),
+            }
+        }
         Self {
             testable,
             not_testable,
             floor_mm: floor_mm(session),
         }
     }
-}
-
-/// Which effects these samples can show, and which not.
-fn effects_of(session: &Session, survey: &Survey) -> (Vec<&'static str>, Vec<NotTestable>) {
-    let (mut testable, mut not_testable) = (Vec::new(), Vec::new());
-    for effect in CATALOGUE {
-        let about = effect.about();
-        let joints = if about.per_joint {
-            session.robot.joints.len()
-        } else {
-            1
-        };
-        let mut obstacles = (0..joints)
-            .filter(|joint| (effect.exists_on)(*joint, survey.joints[*joint].kind))
-            .map(|joint| effect.obstacle(survey, joint));
-        let Some(first) = obstacles.next() else {
-            continue;
-        };
-        match first {
-            Some(because) if obstacles.all(|o| o.is_some()) => not_testable.push(NotTestable {
-                effect: about.id,
-                because,
-            }),
-            _ => testable.push(about.id),
-        }
-    }
-    (testable, not_testable)
 }
 
 /// As the diagnosis reckons it where no pose was reached again.
@@ -147,8 +121,11 @@ impl Overview {
         let usable: Vec<u32> = numbered.filter(|(_, u)| **u).map(|(i, _)| i).collect();
         let samples = &session.samples;
         let of = |x: &[f64], y: &[f64], z: &[f64]| {
-            let axes = [x, y, z].map(|column| extent_at(column, &usable));
-            [axes.map(|[low, _]| low), axes.map(|[_, high]| high)]
+            corners(
+                usable
+                    .iter()
+                    .map(|i| [x, y, z].map(|column| column[*i as usize])),
+            )
         };
         let nominal_mm = of(&nominal.x_mm, &nominal.y_mm, &nominal.z_mm);
         let z_mm = samples.z_mm.as_ref().unwrap_or(&nominal.z_mm);
@@ -157,6 +134,9 @@ impl Overview {
         let reach_mm = arm_mm.unwrap_or_else(|| sides.fold(1.0, f64::max));
         let radius_mm = arm_mm.unwrap_or(0.5 * reach_mm);
         let held_out = samples.held_out.as_deref().unwrap_or(&[]);
+        let skeleton = Skeleton::new(&session.robot, &Point3::origin());
+        let robot = some_poses(session, &usable).filter_map(|q| skeleton.at(&q));
+        let robot = robot.flatten();
         let range = travel_of(&session.robot, 0, &samples.q[0]);
         Self {
             kinds: session.kinds_in_words(),
@@ -165,7 +145,7 @@ impl Overview {
             travel: (range.from, range.to),
             nominal_mm,
             measured_mm,
-            robot_mm: robot_extent(&session.robot, some_poses(session, &usable)),
+            robot_mm: corners(robot.map(Into::into)),
             lengths: Ascending::new(lengths_mm),
             readable: Readable::new(radius_mm, lengths_mm),
             reach_mm,
@@ -185,11 +165,6 @@ fn some_poses(session: &Session, usable: &[u32]) -> impl Iterator<Item = Vec<f64
     home.into_iter().chain(poses)
 }
 
-/// Smallest and largest of the finite values at these samples.
-fn extent_at(column: &[f64], usable: &[u32]) -> [f64; 2] {
-    extent(usable.iter().map(|i| column[*i as usize]))
-}
-
 /// The pose of the base in the measuring frame (of the first setup) after a model, where the instrument was
 /// never brought into the base frame: turned by more than 0.02 rad or moved by more than `far_mm`.
 /// Points of the base frame become points of the measuring frame.
@@ -205,6 +180,18 @@ pub(crate) fn measuring_from_base(model: &Model, far_mm: f64) -> Option<Isometry
     let far = turn.norm() > TURNED || shift.norm() > far_mm;
     let rotation = UnitQuaternion::from_scaled_axis(turn);
     far.then(|| Isometry3::from_parts(Translation3::from(shift), rotation))
+}
+
+/// Smallest and largest corner of these points, of what is finite; of none +∞ and −∞.
+pub(crate) fn corners<const N: usize>(points: impl IntoIterator<Item = [f64; N]>) -> [[f64; N]; 2] {
+    let mut ends = [[f64::INFINITY; N], [f64::NEG_INFINITY; N]];
+    for p in points {
+        for k in (0..N).filter(|k| p[*k].is_finite()) {
+            ends[0][k] = ends[0][k].min(p[k]);
+            ends[1][k] = ends[1][k].max(p[k]);
+        }
+    }
+    ends
 }
 
 // How much of something a plot shows, and round numbers for its scales.

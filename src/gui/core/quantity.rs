@@ -94,33 +94,26 @@ impl Over {
         }
     }
 
-    fn turns(self, loaded_session: &LoadedSession) -> bool {
-        loaded_session.joint_turns(self.joint)
-    }
-
     /// How the variable is shown: its scale to the screen's unit, and that unit. `span` is how far
     /// it reaches, inner units.
     pub(crate) fn scale(self, loaded_session: &LoadedSession, units: Units, span: f64) -> Scale {
-        let turns = self.turns(loaded_session);
+        let turns = loaded_session.joint_turns(self.joint);
         let per = Scale::per;
+        let (factor, unit) = if turns {
+            (units.angle_value(1.0), units.angle_name().trim())
+        } else {
+            (units.length_value(1.0), units.length_name())
+        };
         let since = |factor: f64, unit: &str| Scale {
             origin: self.first(loaded_session),
             ..per(factor, unit)
         };
         match self.variable {
-            Variable::Joint | Variable::Travel if turns => Scale {
-                degrees: units.angle == AngleUnit::Degree,
-                ..per(units.angle_value(1.0), units.angle_name().trim())
+            Variable::Joint | Variable::Travel => Scale {
+                degrees: turns && units.angle == AngleUnit::Degree,
+                ..per(factor, unit)
             },
-            Variable::Joint | Variable::Travel => per(units.length_value(1.0), units.length_name()),
-            Variable::Speed if turns => per(
-                units.angle_value(1.0),
-                &format!("{}/s", units.angle_name().trim()),
-            ),
-            Variable::Speed => per(
-                units.length_value(1.0),
-                &format!("{}/s", units.length_name()),
-            ),
+            Variable::Speed => per(factor, &format!("{unit}/s")),
             Variable::Time if span > 3.0 * 3600.0 => since(1.0 / 3600.0, "h"),
             Variable::Time if span > 600.0 => since(1.0 / 60.0, "min"),
             Variable::Time => since(1.0, "s"),
@@ -151,26 +144,25 @@ impl Over {
 
     /// The heading of its column in a table, inner units except that a joint's angle is in degrees.
     pub(crate) fn heading(self, loaded_session: &LoadedSession) -> String {
-        let turns = self.turns(loaded_session);
         let number = self.joint + 1;
-        match (self.variable, turns) {
-            (Variable::Joint, true) => format!("q{number}, deg"),
-            (Variable::Joint, false) => format!("q{number}, mm"),
-            (Variable::Time, _) => "time, s".to_owned(),
-            (Variable::Load, _) => "load, kg".to_owned(),
-            (Variable::Temperature, _) => "temperature, °C".to_owned(),
-            (Variable::Speed, true) => format!("speed {number}, deg/s"),
-            (Variable::Speed, false) => format!("speed {number}, mm/s"),
-            (Variable::Travel, true) => format!("travel {number}, deg"),
-            (Variable::Travel, false) => format!("travel {number}, mm"),
+        let unit = loaded_session.session.robot.joints[self.joint].kind.unit();
+        match self.variable {
+            Variable::Joint => format!("q{number}, {unit}"),
+            Variable::Time => "time, s".to_owned(),
+            Variable::Load => "load, kg".to_owned(),
+            Variable::Temperature => "temperature, °C".to_owned(),
+            Variable::Speed => format!("speed {number}, {unit}/s"),
+            Variable::Travel => format!("travel {number}, {unit}"),
         }
     }
 
     /// A value as that table has it.
     pub(crate) fn cell(self, loaded_session: &LoadedSession, value: f64) -> f64 {
         match self.variable {
-            Variable::Joint | Variable::Speed | Variable::Travel if self.turns(loaded_session) => {
-                crate::units::deg_from_rad(value)
+            Variable::Joint | Variable::Speed | Variable::Travel => {
+                loaded_session.session.robot.joints[self.joint]
+                    .kind
+                    .to_display(value)
             }
             _ => value,
         }

@@ -22,28 +22,25 @@ const NARROWEST_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
 /// Dragged boundaries stop at multiples of this.
 pub(crate) const SNAP_DEG: f64 = 0.5;
 
-/// A boundary by the regions that it belongs to, counted in the document's order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct Joint {
+/// Where a boundary is, and the regions that it belongs to, counted in the document's order.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Boundary {
+    pub(crate) at_rad: f64,
     /// The region that ends here.
     pub(crate) below: Option<usize>,
     /// The region that begins here.
     pub(crate) above: Option<usize>,
 }
 
-/// A boundary and where it is.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Boundary {
-    pub(crate) at_rad: f64,
-    pub(crate) joint: Joint,
-}
-
 /// All boundaries, in ascending order.
 pub(crate) fn boundaries(regions: &[Region]) -> Vec<Boundary> {
     let mut all: Vec<Boundary> = Vec::with_capacity(2 * regions.len());
     let mut end = |at_rad, below, above| {
-        let joint = Joint { below, above };
-        all.push(Boundary { at_rad, joint });
+        all.push(Boundary {
+            at_rad,
+            below,
+            above,
+        });
     };
     for (k, region) in regions.iter().enumerate() {
         end(region.from_rad, None, Some(k));
@@ -55,11 +52,11 @@ pub(crate) fn boundaries(regions: &[Region]) -> Vec<Boundary> {
         match merged.last_mut() {
             Some(last)
                 if (next.at_rad - last.at_rad).abs() < SAME_RAD
-                    && (last.joint.below.is_none() || next.joint.below.is_none())
-                    && (last.joint.above.is_none() || next.joint.above.is_none()) =>
+                    && (last.below.is_none() || next.below.is_none())
+                    && (last.above.is_none() || next.above.is_none()) =>
             {
-                last.joint.below = last.joint.below.or(next.joint.below);
-                last.joint.above = last.joint.above.or(next.joint.above);
+                last.below = last.below.or(next.below);
+                last.above = last.above.or(next.above);
             }
             _ => merged.push(next),
         }
@@ -78,12 +75,12 @@ pub(crate) fn allowed_range(
     // Beside a gap the neighbour belongs to no region of ours: it may be touched.
     let low = match boundary.checked_sub(1).map(|k| &all[k]) {
         None => within.0.min(here.at_rad),
-        Some(last) if here.joint.below.is_some() => last.at_rad + NARROWEST_RAD,
+        Some(last) if here.below.is_some() => last.at_rad + NARROWEST_RAD,
         Some(last) => last.at_rad,
     };
     let high = match all.get(boundary + 1) {
         None => within.1.max(here.at_rad),
-        Some(next) if here.joint.above.is_some() => next.at_rad - NARROWEST_RAD,
+        Some(next) if here.above.is_some() => next.at_rad - NARROWEST_RAD,
         Some(next) => next.at_rad,
     };
     Some((low.min(here.at_rad), high.max(here.at_rad)))
@@ -101,12 +98,12 @@ pub(crate) fn moved(
         return None;
     }
     let at = to_rad.clamp(low, high);
-    let Joint { below, above } = boundaries(regions)[boundary].joint;
+    let here = &boundaries(regions)[boundary];
     let mut regions = regions.to_vec();
-    if let Some(k) = below {
+    if let Some(k) = here.below {
         regions[k].to_rad = at;
     }
-    if let Some(k) = above {
+    if let Some(k) = here.above {
         regions[k].from_rad = at;
     }
     Some(regions)
@@ -155,8 +152,8 @@ pub(crate) enum End {
 /// as well.
 pub(crate) fn at_end(regions: &[Region], region: usize, end: End) -> Option<usize> {
     boundaries(regions).iter().position(|b| match end {
-        End::From => b.joint.above == Some(region),
-        End::To => b.joint.below == Some(region),
+        End::From => b.above == Some(region),
+        End::To => b.below == Some(region),
     })
 }
 
@@ -331,7 +328,7 @@ mod tests {
         let all = boundaries(&regions(&[(0.0, 30.0), (30.0, 60.0), (-30.0, 0.0)]));
         let at: Vec<f64> = all.iter().map(|b| deg_from_rad(b.at_rad).round()).collect();
         assert_eq!(at, [-30.0, 0.0, 30.0, 60.0]);
-        assert_eq!((all[1].joint.below, all[1].joint.above), (Some(2), Some(0)));
+        assert_eq!((all[1].below, all[1].above), (Some(2), Some(0)));
     }
 
     #[test]

@@ -46,11 +46,11 @@ impl TableForm {
         match self {
             Self::Axes => &[
                 ("axis x", ""),
-                ("y", ""),
-                ("z", ""),
+                ("axis y", ""),
+                ("axis z", ""),
                 ("point x", "mm"),
-                ("y", "mm"),
-                ("z", "mm"),
+                ("point y", "mm"),
+                ("point z", "mm"),
             ],
             Self::Standard | Self::Modified => &[("a", "mm"), ("α", "°"), ("d", "mm"), ("θ", "°")],
         }
@@ -345,8 +345,14 @@ impl RobotTable {
         robot.gravity_m_s2 = self.gravity.map(Vector3::from);
         for (joint, row) in robot.joints.iter_mut().zip(&self.rows) {
             joint.name.clone_from(&row.name);
-            joint.limits = row.limits();
-            joint.link = row.link_mass();
+            joint.limits = row.travel.map(|ends| {
+                let [from, to] = ends.map(|value| row.kind().to_base_units(value));
+                Range { from, to }
+            });
+            joint.link = row.link.map(|(mass_kg, centre)| LinkMass {
+                mass_kg,
+                centre_mm: Point3::from(centre),
+            });
             let follows = row.follows;
             joint.follows = follows.map(|(of, ratio, offset)| Follows { of, ratio, offset });
             joint.gear_ratio = row.gear_ratio;
@@ -375,17 +381,6 @@ impl Row {
     pub(crate) fn axis(&self) -> Result<Axis, KinematicsError> {
         let [a, b, c, x, y, z] = self.numbers;
         Axis::through(Vector3::new(a, b, c), Point3::new(x, y, z))
-    }
-
-    pub(crate) fn limits(&self) -> Option<Range> {
-        let [from, to] = self.travel?.map(|value| self.kind().to_base_units(value));
-        Some(Range { from, to })
-    }
-
-    pub(crate) fn link_mass(&self) -> Option<LinkMass> {
-        let (mass_kg, centre) = self.link?;
-        let centre_mm = Point3::from(centre);
-        Some(LinkMass { mass_kg, centre_mm })
     }
 
     pub(crate) fn kind(&self) -> JointKind {

@@ -43,12 +43,6 @@ pub(crate) struct Chosen {
 }
 
 impl Chosen {
-    /// An effect of the first joint, which turns, at values that can be seen.
-    #[cfg(any(test, debug_assertions))]
-    pub(crate) fn new(id: &'static str) -> Option<Self> {
-        Self::on(id, (1, JointKind::Revolute))
-    }
-
     /// An effect of a joint of this number and kind, at values that can be seen; `None` where the joint cannot
     /// have it.
     pub(crate) fn on(id: &'static str, (joint, kind): (usize, JointKind)) -> Option<Self> {
@@ -290,6 +284,7 @@ impl Form {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gui::testing::in_the_first_joint;
     use crate::robots::library;
     use crate::simulation::unwatched;
 
@@ -299,7 +294,7 @@ mod tests {
         assert_eq!((session.samples.len(), hidden.len()), (3 * POSES, 2));
         for (id, _) in Form::default().offered() {
             let form = Form {
-                effects: vec![Chosen::new(id).expect("it is in the catalogue")],
+                effects: vec![in_the_first_joint(id).expect("it is in the catalogue")],
                 ..Form::default()
             };
             assert_eq!(form.problem(), None, "{id}");
@@ -355,7 +350,7 @@ mod tests {
     fn a_joint_that_is_not_there_is_said_at_its_effect() {
         let robot = &library()[0];
         let mut form = Form::of(SimulatedRobot::of(robot));
-        let mut backlash = Chosen::new("backlash").expect("it is in the catalogue");
+        let mut backlash = in_the_first_joint("backlash").expect("it is in the catalogue");
         backlash.joint = 9;
         form.effects = vec![backlash];
         form.poses = 0;

@@ -104,22 +104,6 @@ fn nearest(a: &Axis, b: &Axis) -> Option<(Point3<f64>, Point3<f64>)> {
     Some((a.point_mm + u * s, b.point_mm + v * t))
 }
 
-/// Smallest and largest corner of the robot at some of these poses, mm.
-pub(crate) fn robot_extent<'q>(
-    robot: &Robot,
-    poses: impl Iterator<Item = Vec<f64>> + 'q,
-) -> [[f64; 3]; 2] {
-    let skeleton = Skeleton::new(robot, &Point3::origin());
-    let mut ends = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    for corner in poses.filter_map(|q| skeleton.at(&q)).flatten() {
-        for k in 0..3 {
-            ends[0][k] = ends[0][k].min(corner[k]);
-            ends[1][k] = ends[1][k].max(corner[k]);
-        }
-    }
-    ends
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -13,7 +13,6 @@ use crate::gui::view::What;
 use crate::gui::views::blocks::{self, Title};
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
-use crate::kinematics::Pose;
 use crate::programs::{DifferingNumber, ExternalAxes, Precedence};
 
 /// Widest, points.
@@ -34,9 +33,8 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench) {
     let Some(compensated) = workbench.compensated() else {
         return workbench.then(move |bench| bench.show_sheet(None));
     };
-    widgets::wide(ui, WIDE);
     let name = name_of(&compensated.wanted.path);
-    ui.heading(say!("Compensate {name}", name));
+    widgets::head(ui, WIDE, say!("Compensate {name}", name));
     let differs: &[DifferingNumber] = match &compensated.result {
         Err(not_corrected) => &not_corrected.differs,
         Ok(_) => &[],
@@ -94,13 +92,25 @@ fn asked(
     if files::is_program(&wanted.path) {
         declarations(ui, &mut wanted, workbench);
     }
-    let tool = say!("Tool of the program");
-    if differs.contains(&DifferingNumber::Tool) || wanted.tool != Precedence::Unsettled {
-        whose(ui, tool, &mut wanted.tool);
-    }
-    let frame = say!("Frame of the program");
-    if differs.contains(&DifferingNumber::Frame) || wanted.frame != Precedence::Unsettled {
-        whose(ui, frame, &mut wanted.frame);
+    for (of, name, holds) in [
+        (
+            DifferingNumber::Tool,
+            say!("Tool of the program"),
+            &mut wanted.tool,
+        ),
+        (
+            DifferingNumber::Frame,
+            say!("Frame of the program"),
+            &mut wanted.frame,
+        ),
+    ] {
+        if differs.contains(&of) || *holds != Precedence::Unsettled {
+            let choices = [
+                (Precedence::Model, say!("the model's tool or base")),
+                (Precedence::Program, say!("as the program writes it")),
+            ];
+            one_of(ui, name, choices, holds);
+        }
     }
     if differs.contains(&DifferingNumber::External) || wanted.external != ExternalAxes::Asked {
         let choices = [
@@ -149,15 +159,6 @@ fn declarations(ui: &mut Ui, wanted: &mut CompensationRequest, workbench: &Workb
             wanted.with.remove(k);
         }
     });
-}
-
-/// Whose tool or frame holds.
-fn whose(ui: &mut Ui, of: &str, holds: &mut Precedence<Pose>) {
-    let choices = [
-        (Precedence::Model, say!("the model's tool or base")),
-        (Precedence::Program, say!("as the program writes it")),
-    ];
-    one_of(ui, of, choices, holds);
 }
 
 /// One of two, or neither yet.

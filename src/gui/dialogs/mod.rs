@@ -12,7 +12,6 @@ use crate::gui::workbench::Workbench;
 
 mod compensation;
 mod import;
-mod new_session;
 mod preferences;
 mod record;
 mod robots;
@@ -60,7 +59,7 @@ fn shown(ui: &Ui, workbench: &Workbench, sheet: &mut Sheet) {
                     path,
                     replace,
                 } => unsaved::path(ui, workbench, *what, (path, replace)),
-                Sheet::Simulate(form) => new_session::simulation(ui, form, workbench),
+                Sheet::Simulate(form) => robots::simulation(ui, form, workbench),
                 Sheet::Setup { form, .. } => setup::show(ui, form, workbench),
                 Sheet::Discard(typed) => unsaved::typed(ui, typed, workbench),
                 Sheet::Unsaved(then) => unsaved::losses(ui, workbench, then),
@@ -139,8 +138,7 @@ fn lists_above(ctx: &Context, sheet: LayerId) {
 // What this program is, what can be done in it by keys and mouse, and what the words mean.
 
 fn about(ui: &mut Ui, workbench: &Workbench) {
-    widgets::wide(ui, 400.0);
-    ui.heading("truepose");
+    widgets::head(ui, 400.0, "truepose");
     ui.hint(say!(
         "version {version}",
         version = env!("CARGO_PKG_VERSION")
@@ -160,8 +158,7 @@ const REST: f32 = 240.0;
 
 /// What the words mean, all of them.
 fn words(ui: &mut Ui, workbench: &Workbench) {
-    widgets::wide(ui, 520.0);
-    ui.heading(say!("Glossary"));
+    widgets::head(ui, 520.0, say!("Glossary"));
     ui.hint(say!(
         "The same is shown beside the numbers, where the pointer rests on a name"
     ));

@@ -8,21 +8,14 @@ use crate::gui::widgets::{self, Buttons, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::present::units::{AngleUnit, LengthUnit};
 
-/// The languages, each in its own name.
-fn language(ui: &mut Ui, next: &mut Preferences) {
-    let languages = LANGUAGES.iter().map(|(one, _, own)| (Some(*one), *own));
-    let languages: Vec<_> = std::iter::once((None, say!("System")))
-        .chain(languages)
-        .collect();
-    ui.choice_row(say!("Language"), &languages, &mut next.language);
-}
-
 pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench) {
-    widgets::wide(ui, 440.0);
-    ui.heading(say!("Preferences"));
+    widgets::head(ui, 440.0, say!("Preferences"));
     let now = workbench.view.preferences;
     let mut next = now;
-    language(ui, &mut next);
+    // Each in its own name.
+    let mut languages = vec![(None, say!("System"))];
+    languages.extend(LANGUAGES.iter().map(|(one, _, own)| (Some(*one), *own)));
+    ui.choice_row(say!("Language"), &languages, &mut next.language);
     let lengths = [
         (LengthUnit::Millimetre, "mm"),
         (LengthUnit::Micrometre, "µm"),

@@ -16,8 +16,7 @@ use crate::text::spoken;
 const DETAILS_WIDE: f32 = 640.0;
 
 pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
-    widgets::wide(ui, DETAILS_WIDE);
-    ui.heading(say!("Report details"));
+    widgets::head(ui, DETAILS_WIDE, say!("Report details"));
     ui.hint(say!(
         "Stated at the head of the report and remembered for this machine; an empty field becomes a line to fill in by hand"
     ));
@@ -31,13 +30,8 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
                 let dated = Some(say!("such as 22 Nov 2026")).filter(|_| line.key == "date");
                 let (name, value) = (spoken(line.name), (line.of)(&mut stated.details));
                 ui.weak(name);
-                field(
-                    ui,
-                    name,
-                    value,
-                    dated.unwrap_or_default(),
-                    ui.available_width(),
-                );
+                let (hint, wide) = (dated.unwrap_or_default(), ui.available_width());
+                field(ui, name, value, hint, wide);
                 ui.end_row();
             }
             let name = say!("Logo");

@@ -200,6 +200,9 @@ fn heading(name: &'static str) -> &'static str {
     match name {
         "axis x" => say!("axis x"),
         "point x" => say!("point x"),
+        // The second and third of three stand behind the heading of the first.
+        "axis y" | "point y" => "y",
+        "axis z" | "point z" => "z",
         sign => sign,
     }
 }
@@ -218,14 +221,7 @@ fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'st
     let kind = ui.add_sized(MOVES, Button::new(says));
     widgets::label(&kind, name);
     row.slides ^= kind.clicked();
-    for (k, (value, (name, unit))) in row.numbers.iter_mut().zip(heads).enumerate() {
-        // The second and third of three stand behind the heading of the first.
-        let of = ["axis", "axis", "axis", "point", "point", "point"][k];
-        let name = if heads.len() == 6 && name.len() == 1 {
-            format!("{of} {name}")
-        } else {
-            (*name).to_owned()
-        };
+    for (value, (name, unit)) in row.numbers.iter_mut().zip(heads) {
         let label = say!("{number} of joint {joint}", number = name, joint = number);
         cell(ui, &label, unit, value);
     }

@@ -16,13 +16,12 @@ use crate::gui::workbench::Workbench;
 
 /// Shows what would be lost, and what can be done about it.
 pub(super) fn losses(ui: &mut Ui, workbench: &Workbench, then: &NextAction) {
-    widgets::wide(ui, 420.0);
     let discard = match then {
         NextAction::Leave => say!("Leave without saving"),
         NextAction::Open(_) | NextAction::Example(_) => say!("Open without saving"),
         NextAction::Simulate(_) => say!("Simulate without saving"),
     };
-    ui.heading(say!("{question}?", question = discard));
+    widgets::head(ui, 420.0, say!("{question}?", question = discard));
     let name = &workbench.loaded_session().session.name;
     let losses = workbench.at_risk();
     if losses.session {
@@ -72,8 +71,7 @@ fn decided(ui: &mut Ui, keep: &str, lose: &str, workbench: &Workbench) -> [bool;
 
 /// Asks before what was typed on a sheet is discarded.
 pub(super) fn typed(ui: &mut Ui, sheet: &Sheet, workbench: &Workbench) {
-    widgets::wide(ui, 420.0);
-    ui.heading(say!("Discard what was typed?"));
+    widgets::head(ui, 420.0, say!("Discard what was typed?"));
     let pressed = ui.foot([(say!("Discard"), true), (say!("Go on with it"), true)]);
     if pressed.is_some() || widgets::entered(ui) {
         let next = match pressed {
@@ -86,8 +84,7 @@ pub(super) fn typed(ui: &mut Ui, sheet: &Sheet, workbench: &Workbench) {
 
 /// Asks whether a file that changed since it was read is to be replaced.
 pub(super) fn overwrite(ui: &mut Ui, path: &Path, workbench: &Workbench) {
-    widgets::wide(ui, 420.0);
-    ui.heading(say!("Replace what another program wrote?"));
+    widgets::head(ui, 420.0, say!("Replace what another program wrote?"));
     ui.label(say!(
         "{path} changed since it was read. Saving here would replace what was written there",
         path = path.display()
@@ -111,8 +108,7 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench) {
     let Some(left) = workbench.left_behind() else {
         return;
     };
-    widgets::wide(ui, 460.0);
-    ui.heading(say!("Recover unsaved work"));
+    widgets::head(ui, 460.0, say!("Recover unsaved work"));
     ui.hint(say!(
         "The last time the program ended without warning. Nothing is lost unless it is discarded here: what is not restored now is offered again"
     ));
@@ -192,8 +188,7 @@ pub(super) fn path(
     } else {
         what.title()
     };
-    widgets::wide(ui, 420.0);
-    ui.heading(title);
+    widgets::head(ui, 420.0, title);
     let edit = TextEdit::singleline(typed).desired_width(f32::INFINITY);
     let field = ui.named(say!("Path to save to"), edit);
     // The field is what the sheet is for: what is typed goes into it from the first letter on.

@@ -9,6 +9,7 @@
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::SystemTime;
 
 use serde::{Deserialize, Serialize};
@@ -16,10 +17,13 @@ use sha2::{Digest, Sha256};
 
 use crate::atomic::{WriteError, write_atomically};
 use crate::document::number::hexadecimal;
-use crate::gui::core::choices::Choices;
-use crate::gui::core::document::Document;
+use crate::effects::{self, CATALOGUE, Term, form_with};
+use crate::gui::core::document::{Added, Document, Method};
+use crate::gui::core::loaded_session::LoadedSession;
+use crate::kinematics::Robot;
 use crate::pipeline;
 use crate::sessions::Session;
+use crate::text::Template;
 
 const FORMAT: &str = "truepose-recovery/1";
 const ENDING: &str = "recovery";
@@ -41,13 +45,56 @@ struct Header {
     about: About,
 }
 
-/// What is kept of a document beside its session.
+/// What is kept of a document beside its session: how it was identified. Names that no effect has do not count.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct About {
     /// The file that the session was opened from, if there is one.
     pub(crate) file: Option<PathBuf>,
-    #[serde(flatten)]
-    pub(crate) choices: Choices,
+    identified: bool,
+    regional: bool,
+    /// Effects of the exact fit.
+    effects: Vec<String>,
+    /// Effects that a search found and that were added to it.
+    #[serde(default)]
+    added: Vec<SavedTerm>,
+}
+
+/// An effect that was added, as it is kept. A smooth correction is not: its curve belongs to a search.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct SavedTerm {
+    effect: String,
+    joint: usize,
+    setting: f64,
+    coefficients: Vec<f64>,
+    on: bool,
+}
+
+impl SavedTerm {
+    fn of(added: &Added) -> Option<Self> {
+        let term = &added.term;
+        (term.curve.is_none() && term.rest.is_none()).then(|| Self {
+            effect: term.effect.about().id.to_owned(),
+            joint: term.joint,
+            setting: term.setting,
+            coefficients: term.coefficients.clone(),
+            on: added.on,
+        })
+    }
+
+    /// The effect on this robot; `None` where it cannot be one of its.
+    fn added(&self, robot: &Robot) -> Option<Added> {
+        let effect = effects::find(&self.effect)?;
+        let effect = form_with(effect, |form| {
+            form.about().form.coefficients() == self.coefficients.len()
+        });
+        let mut term = Term::absent(effect, self.joint, self.setting);
+        let fits = self.joint < robot.joints.len()
+            && self.coefficients.len() == term.coefficients.len()
+            && self.coefficients.iter().all(|c| c.is_finite())
+            && self.setting.is_finite();
+        term.coefficients.clone_from(&self.coefficients);
+        fits.then_some(Added { term, on: self.on })
+    }
 }
 
 /// What is to be kept of a document.
@@ -61,11 +108,40 @@ pub(crate) struct SavedDocument {
 impl SavedDocument {
     /// What is to be kept of this document.
     pub(crate) fn of(document: &Document, file: Option<PathBuf>) -> Self {
-        let choices = document.choices();
         Self {
             session: document.session_to_save(),
-            about: About { file, choices },
+            about: About {
+                file,
+                // A model that was read from a file stands in that.
+                identified: document.identified && document.loaded_model.is_none(),
+                regional: document.method == Method::Regional,
+                effects: document.effects.iter().map(|e| (*e).to_owned()).collect(),
+                added: document.added.iter().filter_map(SavedTerm::of).collect(),
+            },
         }
+    }
+}
+
+impl About {
+    /// Brings a session that a window that is gone has left behind into a document, as it was identified.
+    pub(crate) fn restore(
+        &self,
+        document: &mut Document,
+        loaded_session: Arc<LoadedSession>,
+    ) -> Template {
+        document.open(loaded_session);
+        document.loaded_model = None;
+        document.identified = self.identified;
+        if self.regional && document.loaded_session.single_revolute() {
+            document.method = Method::Regional;
+        }
+        let all = CATALOGUE.iter().map(|effect| effect.about().id);
+        let chosen = all.filter(|id| self.effects.iter().any(|e| e == id));
+        document.effects = chosen.collect();
+        let robot = &document.loaded_session.session.robot;
+        let added = self.added.iter().filter_map(|one| one.added(robot));
+        document.added = added.collect();
+        phrase!("restore")
     }
 }
 

@@ -23,15 +23,12 @@ use crate::programs::LANGUAGES;
 use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError, unwatched};
 use crate::sessions::{Loaded, Session};
 
-use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::answer::LoadedModel;
-use crate::gui::core::disk::EXAMPLES;
-use crate::gui::core::disk::Fingerprint;
+use crate::gui::core::disk::{EXAMPLES, Fingerprint};
 use crate::gui::core::document::plain;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::core::simulate::Form;
-use crate::gui::import_draft::listed;
-use crate::gui::import_draft::{ImportDraft, TABLES};
+use crate::gui::import_draft::{ImportDraft, TABLES, listed};
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 
@@ -61,21 +58,18 @@ pub(crate) enum Opened {
 
 /// Reads a session or a model: its key `format` says which it is.
 pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
+    let failed = |error: ReadError| not_opened(path.display(), &error);
     if is_model(path) {
-        return match load_model(path) {
-            Ok(calibration) => Ok(Opened::Model(Arc::new(LoadedModel::new(calibration, path)))),
-            Err(rejected) => Err(not_opened(path.display(), &rejected.into())),
-        };
+        let calibration = load_model(path).map_err(|rejected| failed(rejected.into()))?;
+        let path = path.to_path_buf();
+        return Ok(Opened::Model(Arc::new(LoadedModel { calibration, path })));
     }
     let report_progress = watch.progress_callback();
     let progress = Progress::new(&report_progress);
     let whole = progress.whole();
-    match ImportDraft::of(path, whole) {
-        None => {}
-        Some(Ok(foreign)) => return Ok(Opened::Foreign(Box::new(foreign))),
-        Some(Err(error)) => {
-            return Err(not_opened(path.display(), &error));
-        }
+    if let Some(foreign) = ImportDraft::of(path, whole) {
+        let foreign = foreign.map_err(failed)?;
+        return Ok(Opened::Foreign(Box::new(foreign)));
     }
     let loaded = pipeline::load_watched(path, whole.part(0.0, READING).watch());
     let loaded_session = loaded.and_then(|loaded| {
@@ -87,9 +81,7 @@ pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
         let part = whole.part(READING, 1.0);
         Ok(looked_through(loaded, origin, part)?)
     });
-    loaded_session
-        .map(Opened::Session)
-        .map_err(|error| not_opened(path.display(), &error))
+    loaded_session.map(Opened::Session).map_err(failed)
 }
 
 /// Everything that follows from a session that was read.
@@ -107,7 +99,7 @@ fn looked_through(
         .filter_map(|f| Fingerprint::of(f))
         .collect();
     // Made here, so that the window never waits for it.
-    Cloud::of(&loaded_session);
+    loaded_session.cloud();
     part.reached(1.0)?;
     Ok(Arc::new(loaded_session))
 }
@@ -115,14 +107,11 @@ fn looked_through(
 /// Says that a file was not opened.
 fn not_opened(name: impl Display, error: &ReadError) -> Message {
     let title = say!("{name} could not be opened; nothing was changed", name);
-    Message::wrong(title, why(error))
-}
-
-fn why(error: &ReadError) -> Vec<String> {
-    match error {
+    let why = match error {
         ReadError::Rejected(rejected) => listed(rejected.diagnostics.iter().map(finding).collect()),
         ReadError::Cancelled(_) => vec![cancelled()],
-    }
+    };
+    Message::wrong(title, why)
 }
 
 /// Which part of opening a session it is to read it; the rest is to look through it.
@@ -134,7 +123,7 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
         Ok((session, hidden)) => {
             let mut loaded_session = LoadedSession::new(session, Vec::new(), Origin::Simulated);
             loaded_session.hidden = Some(hidden.into());
-            Cloud::of(&loaded_session);
+            loaded_session.cloud();
             Ok(Opened::Session(Arc::new(loaded_session)))
         }
         Err(problems) => Err(Message::wrong(
@@ -146,8 +135,8 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
 
 /// A bundled session.
 fn example(index: usize) -> Result<Arc<LoadedSession>, ReadError> {
-    let (document, samples) = EXAMPLES[index].files();
-    let loaded = pipeline::parse_with_csv(document, samples)?;
+    let files = EXAMPLES[index].files;
+    let loaded = pipeline::parse_with_csv(files.document, files.samples)?;
     let progress = Progress::new(&unwatched);
     Ok(looked_through(loaded, Origin::Bundled, progress.whole())?)
 }
@@ -180,10 +169,7 @@ mod tests {
     fn looking_through_a_session_can_be_cancelled_wherever_it_tells_how_far_it_is() {
         let example = &EXAMPLES[1];
         let through = |watch: &dyn Fn(f64) -> std::ops::ControlFlow<()>| {
-            let loaded = {
-                let (document, samples) = example.files();
-                pipeline::parse_with_csv(document, samples)
-            };
+            let loaded = pipeline::parse_with_csv(example.files.document, example.files.samples);
             let progress = Progress::new(watch);
             looked_through(loaded.unwrap(), Origin::Bundled, progress.whole())
         };

@@ -95,15 +95,11 @@ fn dialog_beside(file: Option<&Path>) -> FileDialog {
     }
 }
 
-/// A dialog that begins in the folder where the file belongs, with its name.
-fn dialog_at(path: &Path) -> FileDialog {
-    let name = path.file_name().unwrap_or_default();
-    dialog_beside(Some(path)).set_file_name(name.to_string_lossy())
-}
-
 /// Asks the user where to export to.
 pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
-    let dialog = dialog_at(path).set_title(what.title());
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let dialog = dialog_beside(Some(path)).set_file_name(name);
+    let dialog = dialog.set_title(what.title());
     let ending = path.extension().and_then(|ending| ending.to_str());
     let table = capital(say!("table"));
     let dialog = match what {
@@ -125,26 +121,18 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
 /// What opens a file with the system's program for it, or shows it in its folder. The path is one
 /// argument: no shell reads it.
 fn command(path: &Path, in_folder: bool) -> Command {
-    let folder = path.parent().unwrap_or(path);
-    if cfg!(target_os = "windows") {
-        let mut command = Command::new("explorer");
-        if in_folder {
-            command.arg("/select,");
-        }
-        command.arg(path);
-        command
-    } else if cfg!(target_os = "macos") {
-        let mut command = Command::new("open");
-        if in_folder {
-            command.arg("-R");
-        }
-        command.arg(path);
-        command
-    } else {
-        let mut command = Command::new("xdg-open");
-        command.arg(if in_folder { folder } else { path });
-        command
-    }
+    let (program, select) = match std::env::consts::OS {
+        "windows" => ("explorer", Some("/select,")),
+        "macos" => ("open", Some("-R")),
+        _ => ("xdg-open", None),
+    };
+    let mut command = Command::new(program);
+    match select {
+        _ if !in_folder => command.arg(path),
+        Some(select) => command.arg(select).arg(path),
+        None => command.arg(path.parent().unwrap_or(path)),
+    };
+    command
 }
 
 /// Opens a file with the system's program for it, or shows it in its folder. Takes its time.

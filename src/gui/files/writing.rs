@@ -8,11 +8,10 @@ use egui::{Color32, ColorImage};
 use crate::atomic::{StagedFile, WriteError, commit_both, refuse_to_replace_inputs};
 use crate::export::Document;
 use crate::gui::cache::{IdentifiedAnswer, PreviewRequest};
+use crate::gui::core::answer::{self, Search};
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::{FileChange, Fingerprint, name_of};
 use crate::gui::core::document;
-use crate::gui::core::search;
-use crate::gui::core::search::Search;
 use crate::gui::file_state::Stated;
 use crate::gui::files::system::{advice, cancelled, ending};
 use crate::gui::jobs::Watch;
@@ -297,7 +296,7 @@ pub(crate) fn report(wanted: &ReportRequest, path: &Path, watch: &Watch) -> Made
         Source::Model(outcome) => pipeline::report_of_model(&*outcome.handed_out()?, &extras),
         Source::Session(document, searched, in_use) => {
             let session = document.session_to_save();
-            let options = search::options();
+            let options = answer::options();
             let there = searched.as_ref().and_then(|s| s.answer.as_ref().ok());
             let made;
             let found = if let Some(found) = there {
@@ -305,7 +304,7 @@ pub(crate) fn report(wanted: &ReportRequest, path: &Path, watch: &Watch) -> Made
                 found
             } else {
                 details.push(say!("The diagnosis was run for it").to_owned());
-                made = pipeline::diagnose(&session, &options, &search::progress_callback(watch))
+                made = pipeline::diagnose(&session, &options, &answer::progress_callback(watch))
                     .map_err(|e| spoken(e.describe()))?;
                 &made
             };

@@ -153,8 +153,8 @@ impl RobotFrom {
             Self::Open => None,
             Self::Here(robot) | Self::Listed(_, robot) => Some(Ok(Robot::clone(robot))),
             Self::Example(index) => {
-                let (document, samples) = EXAMPLES[*index % EXAMPLES.len()].files();
-                let loaded = pipeline::parse_with_csv(document, samples);
+                let files = EXAMPLES[*index % EXAMPLES.len()].files;
+                let loaded = pipeline::parse_with_csv(files.document, files.samples);
                 Some(loaded.map(|loaded| loaded.session.robot))
             }
             Self::File { path, .. } if path.trim().is_empty() => None,

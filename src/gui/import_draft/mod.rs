@@ -14,7 +14,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
-use crate::explain::{Detail, Section, imported};
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::jobs::Watch;
 use crate::importers::{
@@ -23,7 +22,6 @@ use crate::importers::{
 };
 use crate::kinematics::Robot;
 use crate::pipeline::import_watched;
-use crate::present::units::Units;
 use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError};
 use crate::sessions::Target;
 use crate::sessions::files::open;
@@ -85,10 +83,8 @@ impl ImportDraft {
     /// Reads a file if it is none of the program's own: those begin like one. `None`: it is.
     /// Told as this part of something.
     pub(crate) fn of(path: &Path, part: ProgressSpan<'_>) -> Option<Result<Self, ReadError>> {
-        if path
-            .extension()
-            .is_some_and(|e| e.eq_ignore_ascii_case("json"))
-        {
+        let ending = path.extension();
+        if ending.is_some_and(|e| e.eq_ignore_ascii_case("json")) {
             return None;
         }
         // The reader of sessions says why a file cannot be read.
@@ -112,12 +108,9 @@ impl ImportDraft {
     }
 
     fn read(path: &Path, bytes: Vec<u8>, part: ProgressSpan<'_>) -> Result<Self, ReadError> {
+        let name = path.file_stem().unwrap_or_default();
         let mut answers = ImportAnswers {
-            name: path
-                .file_stem()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned(),
+            name: name.to_string_lossy().into_owned(),
             reading: Reading {
                 file: Some(path.to_path_buf()),
                 ..Reading::default()
@@ -282,10 +275,8 @@ impl InspectedDraft {
         answers: &ImportAnswers,
         part: ProgressSpan<'_>,
     ) -> Result<Self, Cancelled> {
-        let robot = answers
-            .robot
-            .robot()
-            .map(|robot| robot.map_err(|rejected| in_words(&rejected.diagnostics)));
+        let robot = answers.robot.robot();
+        let robot = robot.map(|robot| robot.map_err(|rejected| in_words(&rejected.diagnostics)));
         let known = robot.as_ref().and_then(|robot| robot.as_ref().ok());
         let mut reading = answers.reading.clone();
         if let Some(robot) = known {
@@ -352,13 +343,8 @@ impl Trial {
         let commands = read(&answers.commands)?;
         let reference = read(&answers.reference)?;
         let targets = read(&answers.targets)?;
-        let own_targets = answers
-            .own_targets
-            .as_ref()
-            .map(|targets| table_of(targets));
-        let own_targets = own_targets
-            .as_ref()
-            .map(|bytes| importers::Companion { bytes, file: None });
+        let own = answers.own_targets.as_deref().map(table_of);
+        let of_session = |bytes| importers::Companion { bytes, file: None };
         let settings = Settings {
             name: answers.name.trim().to_owned(),
             commands: commands.as_ref().map(companion),
@@ -367,15 +353,16 @@ impl Trial {
             reference: reference.as_ref().map(companion),
             scale: answers.scale && reference.is_some(),
             in_measuring_order: answers.in_measuring_order,
-            targets: targets.as_ref().map(companion).or(own_targets),
+            targets: targets
+                .as_ref()
+                .map(companion)
+                .or(own.as_deref().map(of_session)),
             ..Settings::new(answers.reading.clone(), robot)
         };
         let imported = import_watched(bytes, &settings, part.part(0.0, 0.6).watch())?;
         let findings = imported.findings;
-        let notes = findings
-            .iter()
-            .map(|finding| (finding.severity, in_the_windows_words(finding)))
-            .collect();
+        let note = |finding: &Diagnostic| (finding.severity, in_the_windows_words(finding));
+        let notes = findings.iter().map(note).collect();
         let origin = Origin::Imported(path.to_path_buf());
         let looking = part.part(0.6, 1.0);
         let loaded_session = LoadedSession::watched(imported.session, findings, origin, looking)?;
@@ -385,20 +372,6 @@ impl Trial {
             alignment: imported.alignment,
             notes,
         })
-    }
-}
-
-impl Trial {
-    /// What it brings, as it is said everywhere.
-    pub(crate) fn brings(&self, units: Units) -> Section {
-        let loaded_session = &self.loaded_session;
-        imported(
-            loaded_session.len(),
-            loaded_session.gap_before,
-            self.matched.as_ref(),
-            self.alignment.as_ref(),
-            Detail::window(units),
-        )
     }
 }
 
@@ -445,13 +418,8 @@ pub(crate) fn listed(mut lines: Vec<String>) -> Vec<String> {
 /// What is wrong, no more than can be read.
 pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
     let is_error = |finding: &&Diagnostic| finding.severity == Severity::Error;
-    listed(
-        findings
-            .iter()
-            .filter(is_error)
-            .map(in_the_windows_words)
-            .collect(),
-    )
+    let errors = findings.iter().filter(is_error);
+    listed(errors.map(in_the_windows_words).collect())
 }
 
 /// What an option of the command line, with a value that is the same in every language, is called on the sheet.

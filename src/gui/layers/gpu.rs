@@ -13,10 +13,8 @@ use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenD
 use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 use wgpu::{Buffer, BufferUsages, Device, Queue};
 
-use crate::gui::cache::cloud::{Cloud, Place, Remainder, RemainderRow};
-use crate::gui::layers::{
-    BySample, DEPTH, Frame, SAMPLE, columns, group, pipeline, pipeline_layout, shader,
-};
+use crate::gui::core::loaded_session::{Cloud, Place, Remainder, RemainderRow};
+use crate::gui::layers::{DEPTH, Frame, SAMPLE, columns, group, pipeline, pipeline_layout, shader};
 
 /// What a renderer without a graphics processor draws at once: about a tenth of a second.
 const MOST_IN_SOFTWARE: usize = 50_000;
@@ -72,7 +70,7 @@ impl CallbackTrait for CloudLayer {
         };
         if let Some(target) = &drawer.target {
             pass.set_pipeline(&drawer.copy);
-            pass.set_bind_group(0, &drawer.uniform.group, &[]);
+            pass.set_bind_group(0, &drawer.frame, &[]);
             pass.set_bind_group(1, &target.group, &[]);
             pass.draw(0..3, 0..1);
         }
@@ -94,7 +92,9 @@ impl CloudLayer {
     ) {
         drawer.upload_cloud(device, &self.cloud);
         drawer.upload_remainder(device, &self.cloud, self.remainder.as_ref());
-        drawer.uniform.write(queue, &self.frame, drawer.linear);
+        let mut rows = self.frame.rows;
+        rows[3][3] = if drawer.format.is_srgb() { 1.0 } else { 0.0 };
+        queue.write_buffer(&drawer.uniform, 0, bytemuck::cast_slice(&rows));
         let most = device.limits().max_texture_dimension_2d;
         let size = self.frame.size(most);
         if drawer.target.as_ref().is_none_or(|t| t.size != size) {
@@ -102,12 +102,7 @@ impl CloudLayer {
             drawer.target = Some(target);
             drawer.drawn = None;
         }
-        let now = Drawn {
-            frame: self.frame,
-            counts: self.counts,
-            ghosts: self.ghosts,
-            uploads: drawer.uploads,
-        };
+        let now = (self.frame, self.counts, self.ghosts, drawer.uploads);
         if drawer.drawn == Some(now) {
             return;
         }
@@ -119,66 +114,44 @@ impl CloudLayer {
 
     /// Draws the points, the deviations before, and the error vectors.
     fn draw(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'_>) {
-        let by = &drawer.by_sample;
-        pass.set_bind_group(0, &drawer.uniform.group, &[]);
+        pass.set_bind_group(0, &drawer.frame, &[]);
         let [points, vectors] = self.counts;
-        drawer.draw(pass, &by.marks, points);
+        drawer.draw(pass, &drawer.marks, points);
         if self.ghosts {
-            drawer.draw(pass, &by.ghosts, vectors);
+            drawer.draw(pass, &drawer.ghosts, vectors);
         }
-        drawer.draw(pass, &by.arrows, vectors);
+        drawer.draw(pass, &drawer.arrows, vectors);
     }
 }
 
 /// Samples in one buffer: far below the 256 MiB that every device offers.
 const CHUNK: usize = 1 << 20;
 
-/// A frame as the shaders see it.
-pub(super) struct Uniform {
-    buffer: Buffer,
-    pub(super) group: wgpu::BindGroup,
-}
-
-impl Uniform {
-    pub(super) fn new(device: &Device, layout: &wgpu::BindGroupLayout) -> Self {
-        let buffer = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("frame of a layer"),
-            size: size_of::<Frame>() as u64,
-            usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        let group = group(device, layout, buffer.as_entire_binding());
-        Self { buffer, group }
-    }
-
-    pub(super) fn write(&self, queue: &Queue, frame: &Frame, linear: bool) {
-        let mut rows = frame.rows;
-        rows[3][3] = if linear { 1.0 } else { 0.0 };
-        queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(&rows));
-    }
-}
-
 /// Everything that stays from frame to frame.
 pub(crate) struct Drawer {
-    pub(super) linear: bool,
-    pub(super) by_sample: BySample,
-    pub(super) copy: wgpu::RenderPipeline,
-    pub(super) format: wgpu::TextureFormat,
-    pub(super) target: Option<Target>,
-    /// What was drawn last.
-    pub(super) drawn: Option<Drawn>,
+    marks: wgpu::RenderPipeline,
+    ghosts: wgpu::RenderPipeline,
+    arrows: wgpu::RenderPipeline,
+    copy: wgpu::RenderPipeline,
+    format: wgpu::TextureFormat,
+    target: Option<Target>,
+    /// What the picture follows from that was drawn last: where it goes, how many points and vectors, whether those
+    /// before, and how often was uploaded.
+    drawn: Option<(Frame, [usize; 2], bool, u64)>,
     /// Of a picture that is read pixel by pixel.
-    pub(super) picture_layout: wgpu::BindGroupLayout,
-    pub(super) uniform: Uniform,
+    picture_layout: wgpu::BindGroupLayout,
+    /// A frame as the shaders see it, and how they read it.
+    uniform: Buffer,
+    frame: wgpu::BindGroup,
     places: (Weak<Cloud>, Vec<Buffer>),
     /// Whose remainder, what remains, and where it is.
     remains: (Weak<Cloud>, Option<Weak<Remainder>>, Vec<Buffer>),
     /// How often samples or what remains of them were uploaded.
-    pub(super) uploads: u64,
+    uploads: u64,
 }
 
 impl Drawer {
-    pub(super) fn new(device: &Device, format: wgpu::TextureFormat) -> Self {
+    fn new(device: &Device, format: wgpu::TextureFormat) -> Self {
         let layout = |label, visibility, ty| {
             device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
                 label: Some(label),
@@ -190,7 +163,7 @@ impl Drawer {
                 }],
             })
         };
-        let uniform = layout(
+        let frame_layout = layout(
             "frame",
             wgpu::ShaderStages::VERTEX_FRAGMENT,
             wgpu::BindingType::Buffer {
@@ -208,33 +181,37 @@ impl Drawer {
                 multisampled: false,
             },
         );
-        let samples = pipeline_layout(device, &[Some(&uniform)]);
-        let both = pipeline_layout(device, &[Some(&uniform), Some(&picture_layout)]);
+        let samples = pipeline_layout(device, &[Some(&frame_layout)]);
+        let both = pipeline_layout(device, &[Some(&frame_layout), Some(&picture_layout)]);
         let arrows = shader(device, &[SAMPLE, include_str!("arrows.wgsl")]);
         let marks = shader(device, &[SAMPLE, include_str!("marks.wgsl")]);
         let copy = shader(device, &[include_str!("copy.wgsl")]);
         let of_samples =
             |module, vertex| pipeline(device, &samples, module, vertex, &columns(), format, true);
+        let uniform = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("frame of a layer"),
+            size: size_of::<Frame>() as u64,
+            usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
         Self {
-            linear: format.is_srgb(),
-            by_sample: BySample {
-                marks: of_samples(&marks, "mark"),
-                ghosts: of_samples(&arrows, "ghost"),
-                arrows: of_samples(&arrows, "arrow"),
-            },
+            marks: of_samples(&marks, "mark"),
+            ghosts: of_samples(&arrows, "ghost"),
+            arrows: of_samples(&arrows, "arrow"),
             copy: pipeline(device, &both, &copy, "everywhere", &[], format, false),
             format,
             target: None,
             drawn: None,
             uploads: 0,
-            uniform: Uniform::new(device, &uniform),
+            frame: group(device, &frame_layout, uniform.as_entire_binding()),
+            uniform,
             picture_layout,
             places: (Weak::new(), Vec::new()),
             remains: (Weak::new(), None, Vec::new()),
         }
     }
 
-    pub(super) fn upload_cloud(&mut self, device: &Device, cloud: &Arc<Cloud>) {
+    fn upload_cloud(&mut self, device: &Device, cloud: &Arc<Cloud>) {
         if !std::ptr::eq(self.places.0.as_ptr(), Arc::as_ptr(cloud)) {
             let chunks = cloud.places.chunks(CHUNK);
             let buffers = chunks.map(|chunk| vertices(device, bytemuck::cast_slice(chunk)));
@@ -243,7 +220,7 @@ impl Drawer {
         }
     }
 
-    pub(super) fn upload_remainder(
+    fn upload_remainder(
         &mut self,
         device: &Device,
         cloud: &Arc<Cloud>,
@@ -276,12 +253,7 @@ impl Drawer {
     }
 
     /// Draws the first `count` samples with this pipeline.
-    pub(super) fn draw(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        pipeline: &wgpu::RenderPipeline,
-        count: usize,
-    ) {
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, count: usize) {
         pass.set_pipeline(pipeline);
         let mut left = count;
         for (places, remains) in self.places.1.iter().zip(&self.remains.2) {
@@ -315,25 +287,16 @@ fn zeros(device: &Device, rows: usize) -> Buffer {
     })
 }
 
-/// What a picture follows from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Drawn {
-    pub(super) frame: Frame,
-    pub(super) counts: [usize; 2],
-    pub(super) ghosts: bool,
-    pub(super) uploads: u64,
-}
-
 /// The picture, and how near each pixel of it is.
-pub(super) struct Target {
-    pub(super) size: [u32; 2],
+struct Target {
+    size: [u32; 2],
     picture: wgpu::TextureView,
     depth: wgpu::TextureView,
-    pub(super) group: wgpu::BindGroup,
+    group: wgpu::BindGroup,
 }
 
 impl Target {
-    pub(super) fn new(
+    fn new(
         device: &Device,
         layout: &wgpu::BindGroupLayout,
         size: [u32; 2],
@@ -368,7 +331,7 @@ impl Target {
     }
 
     /// A pass that begins with an empty picture.
-    pub(super) fn begin<'e>(&self, encoder: &'e mut wgpu::CommandEncoder) -> wgpu::RenderPass<'e> {
+    fn begin<'e>(&self, encoder: &'e mut wgpu::CommandEncoder) -> wgpu::RenderPass<'e> {
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("samples"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -397,7 +360,7 @@ impl Target {
 mod tests {
     use std::sync::Arc;
 
-    use crate::gui::cache::cloud::{Cloud, Place, Remainder};
+    use crate::gui::core::loaded_session::{Cloud, Place, Remainder};
     use crate::gui::layers::tests::{as_parts, can_draw, drawn, frame, look, transform};
     use crate::gui::layers::{Frame, LayerOptions};
     use crate::gui::style::LIGHT;

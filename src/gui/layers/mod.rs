@@ -6,8 +6,8 @@
 //! costs the window the same for a hundred samples as for a million. What does take time is worked
 //! out where sessions are read and answers are found, in the background.
 //!
-//! - Model, in [`cache`](crate::gui::cache): `cloud` (the samples as they are uploaded), `heat` (the error over the
-//!   plane).
+//! - Model: the samples as they are uploaded, in [`loaded_session`](crate::gui::core::loaded_session); `heat` (the error
+//!   over the plane), in [`cache`](crate::gui::cache).
 //! - Layout, here: where all of it goes in this frame, the uniform of all shaders, worked out without any of them;
 //!   how shaders are put together, and what they read (`frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl` and
 //!   `copy.wgsl`); the heat map as a picture that lies in the plot.
@@ -24,8 +24,8 @@ use wgpu::Device;
 
 use crate::numeric::single;
 
-use crate::gui::cache::cloud::Heat;
-use crate::gui::cache::cloud::{Place, RemainderRow};
+use crate::gui::cache::heat::Heat;
+use crate::gui::core::loaded_session::{Place, RemainderRow};
 use crate::gui::style::{Palette, STOPS};
 use crate::gui::view::Facing;
 
@@ -224,16 +224,6 @@ fn columns() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
 /// How near what is drawn in space is.
 const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
-fn nearest_first() -> wgpu::DepthStencilState {
-    wgpu::DepthStencilState {
-        format: DEPTH,
-        depth_write_enabled: Some(true),
-        depth_compare: Some(wgpu::CompareFunction::LessEqual),
-        stencil: wgpu::StencilState::default(),
-        bias: wgpu::DepthBiasState::default(),
-    }
-}
-
 /// A pipeline with this vertex function; with `depth` what is near covers what is far.
 fn pipeline(
     device: &Device,
@@ -254,7 +244,13 @@ fn pipeline(
             buffers,
         },
         primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: depth.then(nearest_first),
+        depth_stencil: depth.then(|| wgpu::DepthStencilState {
+            format: DEPTH,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::LessEqual),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }),
         multisample: wgpu::MultisampleState::default(),
         fragment: Some(wgpu::FragmentState {
             module,
@@ -269,13 +265,6 @@ fn pipeline(
         multiview_mask: None,
         cache: None,
     })
-}
-
-/// What draws once for each sample.
-struct BySample {
-    marks: wgpu::RenderPipeline,
-    ghosts: wgpu::RenderPipeline,
-    arrows: wgpu::RenderPipeline,
 }
 
 /// A group of one thing that a shader reads.

@@ -16,8 +16,8 @@ use crate::gui::view::Plane;
 
 use super::gpu::{CloudLayer, register};
 use super::{Frame, HEAT, LayerOptions, WIDTH, heat_map, map_in_plot, scale_at};
-use crate::gui::cache::cloud::Heat;
-use crate::gui::cache::cloud::{Cloud, Place, Remainder};
+use crate::gui::cache::heat::Heat;
+use crate::gui::core::loaded_session::{Cloud, Place, Remainder};
 
 const SIZE: Vec2 = egui::vec2(240.0, 160.0);
 
@@ -332,7 +332,7 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
     let bounds = PlotBounds::from_min_max([-1.5625 * side, -side], [1.5625 * side, side]);
     let transform = PlotTransform::new(frame(), bounds, false);
     let look = LayerOptions {
-        centre_mm: Cloud::of(&loaded_session).centre_mm,
+        centre_mm: loaded_session.cloud().centre_mm,
         long_mm: 20.0,
         ..look(0.0)
     };

@@ -3,7 +3,6 @@
 //! (what is shown), a layout (where it goes; both are tested without pixels) and paint (egui).
 
 pub(crate) mod chart;
-pub(crate) mod legend;
 
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -145,14 +144,6 @@ fn corners_of(corners: &[[f32; 2]], at: Pos2, radius: f32, ahead: Vec2) -> Vec<P
     let across = vec2(-ahead.y, ahead.x);
     let corner = |[x, y]: &[f32; 2]| at + (ahead * *x + across * *y) * radius;
     corners.iter().map(corner).collect()
-}
-
-pub(crate) fn disc(at: Pos2, radius: f32, fill: Color32) -> Shape {
-    Shape::circle_filled(at, radius, fill)
-}
-
-pub(crate) fn ring(at: Pos2, radius: f32, stroke: Stroke) -> Shape {
-    Shape::circle_stroke(at, radius, stroke)
 }
 
 /// A mark of a chart.

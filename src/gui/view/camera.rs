@@ -14,6 +14,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
+use crate::gui::core::overview::corners;
 use crate::lanes::dot;
 
 /// Axes of a view: orthogonal unit vectors, right-handed.
@@ -50,15 +51,8 @@ impl Facing {
     /// Smallest and largest corner of a box as it is seen, mm. `ends` are the box's corners with
     /// the smallest and with the largest coordinates.
     pub(crate) fn flat_box(&self, ends: [[f64; 3]; 2]) -> [[f64; 2]; 2] {
-        let mut seen = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-        for corner in 0..8_usize {
-            let p = self.flat([0, 1, 2].map(|k| ends[corner >> k & 1][k]));
-            for k in 0..2 {
-                seen[0][k] = seen[0][k].min(p[k]);
-                seen[1][k] = seen[1][k].max(p[k]);
-            }
-        }
-        seen
+        let corner = |corner: usize| self.flat([0, 1, 2].map(|k| ends[corner >> k & 1][k]));
+        corners((0..8).map(corner))
     }
 }
 
@@ -72,14 +66,8 @@ pub(crate) struct Ball {
 impl Ball {
     /// The ball around these points, mm; those that are not finite do not count.
     pub(crate) fn around(points: &[[f64; 3]]) -> Self {
-        let ends = |of: fn(f64, f64) -> f64, start: f64| {
-            let finite = points.iter().filter(|p| p.iter().all(|v| v.is_finite()));
-            finite.fold([start; 3], |a, p| [0, 1, 2].map(|k| of(a[k], p[k])))
-        };
-        let (low, high) = (
-            ends(f64::min, f64::INFINITY),
-            ends(f64::max, f64::NEG_INFINITY),
-        );
+        let finite = points.iter().filter(|p| p.iter().all(|v| v.is_finite()));
+        let [low, high] = corners(finite.copied());
         if low[0] > high[0] {
             return Self {
                 centre_mm: [0.0; 3],

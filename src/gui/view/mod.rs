@@ -7,7 +7,6 @@ use egui::{Context, ThemePreference, Vec2};
 use serde::{Deserialize, Serialize};
 
 use crate::gui::core::disk::{FileChange, name_of};
-use crate::gui::core::document::plain;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::overview::ROOM;
 use crate::gui::core::setup::SetupForm;
@@ -215,9 +214,7 @@ impl ViewState {
             self.plane.facing()
         }
     }
-}
 
-impl ViewState {
     pub(crate) fn new() -> Self {
         Self {
             plot_size: ROOM,
@@ -450,12 +447,6 @@ impl Plot {
             Self::Workspace => "png",
             Self::Chart(_) => "svg",
         }
-    }
-
-    /// What its file is called unless the user says otherwise.
-    pub(crate) fn file_name(self, session: &str, ending: &str) -> String {
-        let session = plain(session);
-        format!("{session}-{}.{ending}", plain(self.name()))
     }
 }
 

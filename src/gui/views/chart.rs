@@ -10,10 +10,10 @@ use crate::gui::charts::{
 };
 use crate::gui::core::loaded_session::Component;
 use crate::gui::plots::chart::Canvas;
-use crate::gui::plots::{self, figure, picture, ring};
-use crate::gui::style::{MIDDLE, Palette, size, space};
+use crate::gui::plots::{self, figure, picture};
+use crate::gui::style::{Palette, size, space};
 use crate::gui::view::{Front, Plot, Step};
-use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
+use crate::gui::widgets::{self, Buttons, Does, Forms, MIDDLE, Words};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::{self, Handles, marked, nearest};
 
@@ -93,7 +93,7 @@ fn show(ui: &mut Ui, workbench: &Workbench) {
 fn plotted(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, shown: &Shown) {
     let view = &workbench.view;
     let before = workbench.answer().map(|_| !view.only_after);
-    plots::legend::legend(ui, &shown.chart, before, workbench);
+    plots::chart::legend(ui, &shown.chart, before, workbench);
     let title = format!("{} {}", kind.about().id, shown.chart.title);
     let fitted = view.fitted.charts;
     let id = (&*title, workbench.only_after(), fitted);
@@ -144,13 +144,12 @@ fn plotted(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, shown: &Sho
                 let near = samples.near([low.x, high.x], [low.y, high.y]);
                 let candidates = near.into_iter().flat_map(|sample| {
                     let marks = samples.marks(sample).into_iter();
-                    marks.map(move |[x, y]| (sample, egui_plot::PlotPoint::new(x, y)))
+                    let at = |[x, y]: [f64; 2]| {
+                        transform.position_from_point(&egui_plot::PlotPoint::new(x, y))
+                    };
+                    marks.map(move |mark| (sample, at(mark)))
                 });
-                let candidates = candidates.map(|(sample, point)| {
-                    let here = transform.position_from_point(&point);
-                    (sample, [here.x, here.y])
-                });
-                nearest(candidates, [pointer.x, pointer.y], REACH)
+                nearest(candidates, pointer, REACH)
             });
             workspace::hover(&response, workbench, under);
         }
@@ -171,7 +170,7 @@ fn drawn_samples(
     }
     let stroke = Stroke::new(2.5, canvas.palette.accent);
     for place in ringed.filter_map(|sample| samples.marks(sample).pop()) {
-        shapes.push(ring(canvas.at(place), 8.0, stroke));
+        shapes.push(Shape::circle_stroke(canvas.at(place), 8.0, stroke));
     }
 }
 

@@ -172,7 +172,7 @@ pub(super) fn samples(workbench: &Workbench) -> String {
         cells.push(target.map(|target| target.name.as_str()).into());
         let z = samples.z_mm.as_ref().map_or(f64::NAN, |z| z[sample]);
         let before = loaded_session.before.length_mm[sample];
-        let after = answer.map_or(f64::NAN, |answer| answer.lengths_mm[sample]);
+        let after = answer.map_or(f64::NAN, |answer| answer.after.length_mm[sample]);
         let numbers = [samples.x_mm[sample], samples.y_mm[sample], z, before, after];
         cells.extend(numbers.map(Cell::from));
         table.rows.push(cells);

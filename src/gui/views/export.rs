@@ -238,7 +238,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
         Some(Ok(made)) => made_preview(ui, workbench, made),
         // Why stands at the left, beside what can be done instead.
         Some(Err(_)) => ui.hint(say!("No preview: this export is refused")),
-        None if workbench.answer().is_none() => super::coverage::show(ui, workbench),
+        None if workbench.answer().is_none() => super::results::beforehand(ui, workbench),
         None if workbench.is_unprepared() => {
             ui.hint(capital(say!("it was cancelled")));
         }

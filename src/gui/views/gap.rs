@@ -14,11 +14,10 @@ use crate::explain::{Block, Detail, Section, Topic, found_effect};
 use crate::fit::Estimate;
 use crate::gui::actions;
 use crate::gui::charts::effect::{self, EffectCurve};
+use crate::gui::core::answer::term_of;
 use crate::gui::core::document::Method;
 use crate::gui::core::overview::stride;
-use crate::gui::core::search::term_of;
 use crate::gui::jobs::Running;
-use crate::gui::plots::disc;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Step, What};
 use crate::gui::views::blocks::{self, Title, curve_link, in_words};
@@ -149,7 +148,7 @@ pub(super) fn findings(ui: &mut Ui, workbench: &Workbench) {
             workbench.searched()
         };
         match beneath {
-            None => crate::gui::views::coverage::show(ui, workbench),
+            None => crate::gui::views::results::beforehand(ui, workbench),
             Some(Err(because)) => ui.hint(because),
             Some(Ok(diagnosis)) => all(ui, workbench, diagnosis),
         }
@@ -159,11 +158,11 @@ pub(super) fn findings(ui: &mut Ui, workbench: &Workbench) {
 /// A diagnosis is running: what it has found so far.
 fn under_way(ui: &mut Ui, workbench: &Workbench) {
     let found = workbench.searching().map(Running::found);
-    let says = match found.as_ref().map_or(0, Vec::len) {
+    let found = found.unwrap_or_default();
+    let says = match found.len() {
         0 => say!("Nothing found so far"),
         _ => say!("Found so far; a likelier name may take the place of one"),
     };
-    let found = found.unwrap_or_default();
     so_far(ui, say!("Diagnosis is running"), says, &found);
 }
 
@@ -424,9 +423,11 @@ fn drawn(room: Rect, curve: &EffectCurve, palette: &Palette) -> Vec<Shape> {
     let mut shapes = vec![Shape::line_segment(zero, Stroke::new(1.0, palette.line))];
     let some = || curve.spots.iter().step_by(stride(curve.spots.len(), MOST));
     let residual = palette.before.gamma_multiply(0.55);
-    shapes.extend(some().map(|s| disc(at(s.x, s.residual_mm), 1.4, residual)));
+    shapes.extend(some().map(|s| Shape::circle_filled(at(s.x, s.residual_mm), 1.4, residual)));
     if curve.lines.is_empty() {
-        shapes.extend(some().map(|s| disc(at(s.x, s.effect_mm), 1.6, palette.accent)));
+        shapes.extend(
+            some().map(|s| Shape::circle_filled(at(s.x, s.effect_mm), 1.6, palette.accent)),
+        );
     }
     let stroke = Stroke::new(1.8, palette.accent);
     for line in &curve.lines {

@@ -9,7 +9,7 @@ use crate::gui::core::loaded_session::Origin;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets::{self, Buttons, Does};
 use crate::gui::workbench::Workbench;
-use crate::text::capital;
+use crate::text::{capital, spoken};
 
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
@@ -120,10 +120,15 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-/// Things to do, one below the other.
-fn items(ui: &mut Ui, workbench: &Workbench, actions: &[Action]) {
-    for action in actions {
-        action.item(ui, workbench);
+/// Things to do, one below the other, in groups.
+fn groups(ui: &mut Ui, workbench: &Workbench, groups: &[&[Action]]) {
+    for (k, group) in groups.iter().enumerate() {
+        if k > 0 {
+            ui.separator();
+        }
+        for action in *group {
+            action.item(ui, workbench);
+        }
     }
 }
 
@@ -164,41 +169,25 @@ fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
 }
 
 fn file(ui: &mut Ui, workbench: &Workbench) {
+    use actions::{COMPENSATE, IMPORT, NEW, QUIT, RELOAD, REPORT, REPORT_DETAILS, ROBOTS};
+    use actions::{SAVE, SAVE_AS, SAVE_MODEL, SAVE_TABLE, SAVE_TO_PATH};
     ui.set_min_width(260.0);
-    items(ui, workbench, &[actions::OPEN]);
+    actions::OPEN.item(ui, workbench);
     recent(ui, workbench);
     ui.menu_button(say!("Examples"), |ui| {
         for (action, example) in OPEN_EXAMPLE.iter().zip(&EXAMPLES) {
-            action.item(ui, workbench).on_hover_text(example.what());
+            let item = action.item(ui, workbench);
+            item.on_hover_text(spoken(example.what));
         }
     });
-    items(
-        ui,
-        workbench,
-        &[actions::IMPORT, actions::NEW, actions::ROBOTS],
-    );
-    ui.separator();
-    items(
-        ui,
-        workbench,
-        &[actions::SAVE, actions::SAVE_AS, actions::SAVE_TO_PATH],
-    );
-    ui.separator();
-    items(
-        ui,
-        workbench,
-        &[
-            actions::SAVE_MODEL,
-            actions::SAVE_TABLE,
-            actions::COMPENSATE,
-            actions::REPORT_DETAILS,
-            actions::REPORT,
-        ],
-    );
-    ui.separator();
-    items(ui, workbench, &[actions::RELOAD]);
-    ui.separator();
-    items(ui, workbench, &[actions::QUIT]);
+    let all: [&[Action]; 5] = [
+        &[IMPORT, NEW, ROBOTS],
+        &[SAVE, SAVE_AS, SAVE_TO_PATH],
+        &[SAVE_MODEL, SAVE_TABLE, COMPENSATE, REPORT_DETAILS, REPORT],
+        &[RELOAD],
+        &[QUIT],
+    ];
+    groups(ui, workbench, &all);
 }
 
 fn recent(ui: &mut Ui, workbench: &Workbench) {
@@ -227,41 +216,31 @@ fn recent(ui: &mut Ui, workbench: &Workbench) {
 }
 
 fn edit(ui: &mut Ui, workbench: &Workbench) {
+    use actions::{CANCEL, EXCLUDE, IDENTIFY, PREFERENCES, REDO, SEARCH, UNDO};
     ui.set_min_width(240.0);
-    items(ui, workbench, &[actions::UNDO, actions::REDO]);
-    ui.separator();
-    items(ui, workbench, &[actions::EXCLUDE]);
-    ui.separator();
-    items(
-        ui,
-        workbench,
-        &[actions::IDENTIFY, actions::SEARCH, actions::CANCEL],
-    );
-    ui.separator();
-    items(ui, workbench, &[actions::PREFERENCES]);
+    let all: [&[Action]; 4] = [
+        &[UNDO, REDO],
+        &[EXCLUDE],
+        &[IDENTIFY, SEARCH, CANCEL],
+        &[PREFERENCES],
+    ];
+    groups(ui, workbench, &all);
 }
 
 fn view(ui: &mut Ui, workbench: &Workbench) {
-    use actions::{
-        FIT, LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE, NEXT_LENGTH,
-        OTHER_THEME, RESULTS,
-    };
+    use actions::{FIT, LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE};
+    use actions::{NEXT_LENGTH, OTHER_THEME, RESULTS, STEPS};
     ui.set_min_width(260.0);
-    items(ui, workbench, &actions::STEPS[..workbench.steps().len()]);
-    ui.separator();
-    items(
-        ui,
-        workbench,
-        &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE],
-    );
-    items(ui, workbench, &[FIT]);
-    ui.separator();
-    items(ui, workbench, &[RESULTS]);
-    ui.separator();
-    items(ui, workbench, &[NEXT_LENGTH, NEXT_ANGLE, OTHER_THEME]);
+    let all: [&[Action]; 4] = [
+        &STEPS[..workbench.steps().len()],
+        &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE, FIT],
+        &[RESULTS],
+        &[NEXT_LENGTH, NEXT_ANGLE, OTHER_THEME],
+    ];
+    groups(ui, workbench, &all);
 }
 
 fn help(ui: &mut Ui, workbench: &Workbench) {
     ui.set_min_width(240.0);
-    items(ui, workbench, &[actions::WORDS, actions::ABOUT]);
+    groups(ui, workbench, &[&[actions::WORDS, actions::ABOUT]]);
 }

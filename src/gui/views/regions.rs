@@ -2,15 +2,13 @@
 
 use egui::{Align, Button, DragValue, Layout, RichText, Ui, vec2};
 
-use crate::gui::actions;
 use crate::gui::core::document::{Document, Method};
-use crate::gui::core::regions::Division;
-use crate::gui::core::regions::{self, Count, End, SNAP_DEG};
-use crate::gui::help;
+use crate::gui::core::regions::{self, Count, Division, End, SNAP_DEG};
 use crate::gui::style::{Palette, space};
 use crate::gui::view::Step;
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
+use crate::gui::{actions, help};
 use crate::present::numbers::{grouped, trimmed};
 use crate::present::units::AngleUnit;
 use crate::sessions::Region;

@@ -1,66 +1,30 @@
-//! The right-hand side: what the identification says, and how sure it is.
+//! What the identification says, and how sure it is; before anything is identified what the samples cover, what can be
+//! seen in them and what comes next, so that it helps from the first minute on.
 
 use egui::text::{LayoutJob, TextFormat};
-use egui::{Checkbox, ProgressBar, Ui};
+use egui::{Checkbox, ProgressBar, RichText, Ui};
 
 use crate::compensation::decision::Outcome as Conformity;
 use crate::explain::{self, Detail, Topic, remarks_on_fit};
-use crate::fit::{Estimate, Gap, RegionResult};
-use crate::gui::actions;
-use crate::gui::core::answer::{self, Answer, LoadedModelSummary};
+use crate::fit::{Estimate, RegionResult};
+use crate::gui::core::answer::{self, Answer, LoadedModel};
 use crate::gui::core::document::Method;
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::view::{Side, Step};
-use crate::gui::views::samples;
+use crate::gui::view::Step;
 use crate::gui::views::{blocks, copies};
-use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
+use crate::gui::widgets::{self, Buttons, Does, Words};
 use crate::gui::workbench::Workbench;
+use crate::gui::{actions, help};
 use crate::language::spoken;
 use crate::present::decision;
+use crate::present::names::title;
 use crate::present::numbers::{grouped, trimmed, with_minus_signs};
 use crate::text::capital;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
-    let side = workbench.view.side;
-    if workbench.view.step == Step::Export {
-        ui.heading(say!("Export"));
-        ui.add_space(space::TIGHT);
-        widgets::scroll(ui, "export", |ui| super::export::preview(ui, workbench));
-        return;
-    }
-    if workbench.view.step == Step::Gap && side == Side::Results {
-        return super::gap::findings(ui, workbench);
-    }
-    let sides = [
-        (Side::Results, say!("Summary")),
-        (Side::Samples, &capital(say!("samples"))),
-    ];
-    ui.row(|ui| {
-        // Where there is no room for both, what is chosen says where one is.
-        let title = say!("Results");
-        let of_title = widgets::width_of(ui, title, strong(size::HEADING)) + space::ROW;
-        if of_title + widgets::width_of_segments(ui, &sides) <= ui.available_width() {
-            ui.heading(title);
-        }
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if let Some(side) = ui.segmented(&sides, side) {
-                workbench.then(move |bench| bench.view.side = side);
-            }
-        });
-    });
-    ui.add_space(space::TIGHT);
-    match side {
-        Side::Samples => samples::show(ui, workbench),
-        Side::Results => {
-            widgets::scroll(ui, "results", |ui| summary(ui, workbench));
-        }
-    }
-}
-
-fn summary(ui: &mut Ui, workbench: &Workbench) {
+pub(super) fn summary(ui: &mut Ui, workbench: &Workbench) {
     ui.spacing_mut().item_spacing.y = space::ROW;
     match workbench.identified().map(|o| &o.answer) {
-        None => super::coverage::show(ui, workbench),
+        None => beforehand(ui, workbench),
         Some(Err(because)) => widgets::card(ui, |ui| {
             let title = say!("This could not be identified");
             blocks::bold_in(ui, title, Palette::of(ui).outside);
@@ -75,13 +39,13 @@ fn summary(ui: &mut Ui, workbench: &Workbench) {
 }
 
 fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
-    if let Some(loaded) = &answer.loaded {
-        about(ui, workbench, answer, loaded);
+    if let Some(given) = &workbench.document().loaded_model {
+        about(ui, workbench, given);
     }
     if !workbench.loaded_session().is_empty() {
         gap_card(ui, workbench, answer);
     }
-    if let Some(verification) = answer.loaded.as_ref().and_then(|l| l.verification.as_ref()) {
+    if let Some(verification) = &answer.verification {
         for section in explain::verification(verification, Detail::window(workbench.units())) {
             blocks::card(ui, &section);
         }
@@ -101,7 +65,7 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
 fn within(workbench: &Workbench, after: bool) -> Option<(usize, usize)> {
     let tolerance_mm = workbench.document().tolerance_mm?;
     let lengths = if after {
-        &workbench.after()?.lengths
+        &workbench.answer()?.lengths
     } else {
         &workbench.loaded_session().overview.lengths
     };
@@ -138,15 +102,15 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             text.append(part, 0.0, TextFormat::simple(font.clone(), color));
         }
         ui.label(text);
-        let from_to = |gap: &Gap, pick: fn(&Gap) -> [f64; 2]| {
-            let [before, after] = pick(gap).map(number);
+        let from_to = |ends: [f64; 2]| {
+            let [before, after] = ends.map(number);
             format!("{before} → {after} {unit}")
         };
-        let largest = |g: &Gap| [g.before.max_mm, g.after.max_mm];
-        ui.fact(say!("largest"), from_to(&found.gap, largest));
+        let largest = [found.gap.before.max_mm, found.gap.after.max_mm];
+        ui.fact(say!("largest"), from_to(largest));
         if let Some(held_out) = &found.held_out {
-            let rms = |g: &Gap| [g.before.rms_mm, g.after.rms_mm];
-            ui.fact(say!("held out"), from_to(held_out, rms));
+            let rms = [held_out.before.rms_mm, held_out.after.rms_mm];
+            ui.fact(say!("held out"), from_to(rms));
         }
         if let (Some((before, _)), Some((after, all))) =
             (within(workbench, false), within(workbench, true))
@@ -272,7 +236,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench) {
         // What a diagnosis has added is switched where it was added.
         let is_added = !on && document.in_the_model().any(|t| t.effect.about().id == id);
         let mut shown = on || is_added;
-        let switch = Checkbox::new(&mut shown, crate::present::names::title(id));
+        let switch = Checkbox::new(&mut shown, title(id));
         let switch = ui.add_enabled(!is_added, switch);
         let switch = switch.on_disabled_hover_text(say!(
             "Added by the diagnosis, and switched off where it was added"
@@ -289,7 +253,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench) {
         "{count} that this session cannot show",
         count = loaded_session.coverage.not_testable.len()
     );
-    ui.folded(&title, |ui| super::coverage::not_testable(ui, workbench));
+    ui.folded(&title, |ui| not_testable(ui, workbench));
 }
 
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
@@ -303,17 +267,12 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     actions::go_on(ui, workbench, Step::Gap);
 }
 
-/// What there is to say about the model itself.
-pub(super) fn about(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    answer: &Answer,
-    loaded: &LoadedModelSummary,
-) {
-    let calibration = &answer.calibration;
+/// What there is to say about a model that was read from a file.
+fn about(ui: &mut Ui, workbench: &Workbench, given: &LoadedModel) {
+    let calibration = &*given.calibration;
     widgets::card(ui, |ui| {
         ui.bold(say!("Model from a file"));
-        ui.fact(say!("file"), &loaded.file);
+        ui.fact(say!("file"), given.file_name());
         ui.fact(say!("robot"), &calibration.model.robot.name);
         ui.fact(say!("identified from"), &calibration.session);
         let joints = &calibration.model.robot.joints;
@@ -338,7 +297,7 @@ pub(super) fn about(
 }
 
 /// What was identified.
-pub(super) fn parameters(ui: &mut Ui, workbench: &Workbench, estimates: &[Estimate]) {
+fn parameters(ui: &mut Ui, workbench: &Workbench, estimates: &[Estimate]) {
     ui.bold(say!("Identified parameters"));
     let robot = &workbench.loaded_session().session.robot;
     let detail = Detail::window(workbench.units());
@@ -347,4 +306,109 @@ pub(super) fn parameters(ui: &mut Ui, workbench: &Workbench, estimates: &[Estima
         ui.hint(say!("± half the 95 % interval"));
     }
     copies::button(ui, say!("parameters"), || copies::parameters(estimates));
+}
+
+// What is known before anything is identified.
+
+/// Shows it, what belongs to the step first.
+pub(super) fn beforehand(ui: &mut Ui, workbench: &Workbench) {
+    if workbench.loaded_session().is_empty() {
+        return;
+    }
+    match workbench.view.step {
+        Step::Session | Step::Regions | Step::Identify => {
+            nominal(ui, workbench);
+            testable(ui, workbench);
+        }
+        Step::Gap => {
+            if workbench.searching().is_none() && workbench.stopped().is_none() {
+                not_searched(ui);
+            }
+            testable(ui, workbench);
+        }
+        Step::Export => {
+            formats(ui);
+            nominal(ui, workbench);
+        }
+    }
+}
+
+/// How far off the nominal robot is.
+fn nominal(ui: &mut Ui, workbench: &Workbench) {
+    let units = workbench.units();
+    let loaded_session = workbench.loaded_session();
+    widgets::card(ui, |ui| {
+        let name = ui.weak(say!("RMS error, nominal robot"));
+        widgets::explained(name, help::GAP);
+        let rms = loaded_session.gap_before;
+        let rms = rms.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
+        let rms = RichText::new(rms).font(strong(size::DISPLAY));
+        ui.label(rms.color(Palette::of(ui).before));
+        if let Some(gap) = loaded_session.gap_before {
+            ui.fact(say!("largest deviation"), units.length(gap.max_mm));
+        }
+        if let Some((inside, all)) = within(workbench, false) {
+            let (inside, all) = (grouped(inside), grouped(all));
+            let within = say!("{inside} of {all}", inside, all);
+            ui.fact(say!("within tolerance"), within);
+        }
+        if let Some(floor_mm) = loaded_session.coverage.floor_mm {
+            let floor = say!("{floor}, instrument", floor = units.length(floor_mm));
+            ui.fact(say!("noise floor"), floor);
+        }
+        if !workbench.document().identified {
+            ui.hint(say!(
+                "Not identified yet. The identified parameters will be listed here, each with its 95 % interval"
+            ));
+        }
+    });
+}
+
+/// Which effects can be seen in such samples, and which cannot.
+fn testable(ui: &mut Ui, workbench: &Workbench) {
+    let loaded_session = workbench.loaded_session();
+    widgets::card(ui, |ui| {
+        let known = &loaded_session.coverage;
+        let (yes, no) = (known.testable.len(), known.not_testable.len());
+        let says = say!("{inside} of {all}", inside = yes, all = yes + no);
+        ui.fact(say!("testable effects"), says);
+        let can = say!("{yes} can be tested", yes);
+        ui.folded(&can, |ui| {
+            let names = known.testable.iter();
+            let names: Vec<&str> = names.map(|id| title(id)).collect();
+            ui.hint(names.join(", ").to_lowercase());
+        });
+        if no > 0 {
+            let cannot = say!("{no} cannot, and why", no);
+            ui.folded(&cannot, |ui| not_testable(ui, workbench));
+        }
+    });
+}
+
+/// The effects that cannot be seen, each with the reason.
+fn not_testable(ui: &mut Ui, workbench: &Workbench) {
+    for one in &workbench.loaded_session().coverage.not_testable {
+        ui.label(title(one.effect));
+        ui.hint(spoken(&one.because));
+    }
+}
+
+/// What a search does, before there is one.
+fn not_searched(ui: &mut Ui) {
+    widgets::card(ui, |ui| {
+        ui.bold(say!("No diagnosis yet"));
+        ui.hint(say!(
+            "Effects that are found will be listed here with size, confidence and what to check on the machine. Where the samples cannot decide, both are listed, with the poses that would decide"
+        ));
+    });
+}
+
+/// What can be written, before there is anything to write.
+fn formats(ui: &mut Ui) {
+    widgets::card(ui, |ui| {
+        ui.bold(say!("There is nothing to export yet"));
+        ui.hint(say!(
+            "The table comes from the identified robot. It will be shown here as text, with its sign convention in words, the RMS error that it leaves, and what joint commands cannot correct"
+        ));
+    });
 }

@@ -72,7 +72,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
                 row.set_selected(view.selected == Some(sample) || marked);
                 row.set_hovered(view.hovered == Some(sample));
                 let before = loaded_session.before.length_mm[sample];
-                let after = answer.map(|a| a.lengths_mm[sample]);
+                let after = answer.map(|a| a.after.length_mm[sample]);
                 let q = loaded_session.q(sample);
                 let q = if loaded_session.turns() {
                     trimmed(units.angle_value(q), 3)
@@ -87,19 +87,17 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
                         text
                     }
                 };
-                cell(&mut row, sample, "number", |ui| {
-                    ui.label(text((sample + 1).to_string()).color(palette.muted));
-                });
-                cell(&mut row, sample, "angle", |ui| {
-                    ui.label(text(q));
-                });
-                cell(&mut row, sample, "before", |ui| {
-                    ui.label(text(units.length_like(before, like_before)));
-                });
-                cell(&mut row, sample, "after", |ui| {
-                    let after = after.map(|mm| units.length_like(mm, like_after));
-                    ui.label(text(after.unwrap_or_default()));
-                });
+                let number = text((sample + 1).to_string()).color(palette.muted);
+                let left = after.map(|mm| units.length_like(mm, like_after));
+                let cells = [
+                    ("number", number),
+                    ("angle", text(q)),
+                    ("before", text(units.length_like(before, like_before))),
+                    ("after", text(left.unwrap_or_default())),
+                ];
+                for (what, text) in cells {
+                    cell(&mut row, sample, what, |ui| drop(ui.label(text)));
+                }
                 let shown = after.unwrap_or(before);
                 cell(&mut row, sample, "tolerance", |ui| {
                     held_against(ui, workbench, (!excluded).then_some(shown));

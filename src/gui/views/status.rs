@@ -12,7 +12,7 @@ use crate::diagnosis::FloorFrom;
 use crate::present::numbers::grouped;
 
 use crate::gui::core::disk::{FileChange, name_of};
-use crate::gui::style::{self, Palette, size, space, strong};
+use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Message, What};
 use crate::gui::widgets::{self, Does};
 use crate::gui::workbench::Workbench;
@@ -37,12 +37,8 @@ fn line(workbench: &Workbench) -> String {
             let mut gaps = vec![gap.before.rms_mm];
             // What the identification left, where effects were added to it since.
             let added = workbench.document().in_the_model().next().is_some();
-            gaps.extend(
-                workbench
-                    .diagnosis()
-                    .filter(|_| added)
-                    .map(|d| d.gap.identified_mm),
-            );
+            let searched = workbench.diagnosis().filter(|_| added);
+            gaps.extend(searched.map(|d| d.gap.identified_mm));
             gaps.push(gap.after.rms_mm);
             let gaps: Vec<String> = gaps.into_iter().map(mm).collect();
             let gaps = say!("RMS error {gaps} {unit}", gaps = gaps.join(" → "), unit);
@@ -95,14 +91,14 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     ui.horizontal_centered(|ui| {
         let status = line(workbench);
         // What runs has its place at the right whatever is said at the left.
-        let busy = workbench.jobs().newest().is_some();
+        let busy = workbench.jobs.newest().is_some();
         let room = ui.available_width() - if busy { BUSY } else { 0.0 };
         let line = egui::Label::new(RichText::new(&status).size(size::NOTE)).truncate();
         let high = ui.available_height();
         let left = Layout::left_to_right(Align::Center);
         ui.allocate_ui_with_layout(egui::vec2(room, high), left, |ui| ui.add(line));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let Some(task) = workbench.jobs().newest() else {
+            let Some(task) = workbench.jobs.newest() else {
                 return idle(ui, workbench);
             };
             ui.small_button(say!("Cancel"))
@@ -133,17 +129,13 @@ const STATUS: f32 = 32.0;
 /// It takes this part of the window's height at most; what is longer scrolls.
 const MOST: f32 = 0.3;
 
-/// When the message that is shown came up, in the window's seconds.
-#[derive(Clone, PartialEq)]
-struct Shown {
-    message: Message,
-    since: f64,
-}
+/// The message that is shown, and when it came up, in the window's seconds.
+type Shown = (Message, f64);
 
 /// What lies over the window by itself: notices (a file that changed on the disk, an error, a task that
 /// is done) and what becomes of files that are dropped on it. Notices lie over the results, above the
 /// status bar, so that no plot is moved when one appears or is dismissed.
-pub(crate) fn notices(ui: &Ui, workbench: &Workbench, room: style::Layout) {
+pub(crate) fn notices(ui: &Ui, workbench: &Workbench, room: widgets::Layout) {
     let (message, on_disk) = (&workbench.view.message, &workbench.view.on_disk);
     if message.is_none() {
         // The same may be said again: it stands as long as the first time.
@@ -194,16 +186,15 @@ fn goes_by_itself(ui: &Ui, message: &Message, pointed: bool, workbench: &Workben
     let (ctx, id) = (ui.ctx(), Id::unique("notice"));
     let now = ctx.input(|i| i.time);
     let before: Option<Shown> = ctx.data(|data| data.get_temp(id));
-    let shown = before.filter(|shown| shown.message == *message);
-    let since = shown.filter(|_| !pointed).map_or(now, |shown| shown.since);
+    let shown = before.filter(|(shown, _)| shown == message && !pointed);
+    let since = shown.map_or(now, |(_, since)| since);
     let left = since + STANDS_S - now;
     if left <= 0.0 {
         workbench.then(move |bench| bench.view.message = None);
     } else {
         ctx.request_repaint_after(std::time::Duration::from_secs_f64(left));
     }
-    let message = message.clone();
-    ctx.data_mut(|data| data.insert_temp(id, Shown { message, since }));
+    ctx.data_mut(|data| data.insert_temp(id, (message.clone(), since)));
 }
 
 fn body(ui: &mut Ui, message: &Message) {

@@ -1,15 +1,17 @@
-//! The left-hand side: the list of steps, the controls of the chosen one, and what to do next.
+//! The sides of the window. At the left the list of steps, the controls of the chosen one, and what to do next; at the
+//! right what it has found.
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Button, Panel, Response, Role, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, vec2};
 
 use crate::gui::core::document::Method;
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::view::Step;
-use crate::gui::widgets::{self, Does};
+use crate::gui::view::{Side, Step};
+use crate::gui::widgets::{self, Buttons, Does, Forms};
 use crate::gui::workbench::Workbench;
+use crate::text::capital;
 
-use super::{export, gap, regions, results, session};
+use super::{export, gap, regions, results, samples, session};
 
 type Show = fn(&mut Ui, &Workbench);
 
@@ -116,5 +118,43 @@ fn badge(
     } else {
         let middle = egui::Align2::CENTER_CENTER;
         painter.text(centre, middle, number, strong(size::SMALL), text);
+    }
+}
+
+/// The right-hand side: what the step has found, or the samples.
+pub(crate) fn results(ui: &mut Ui, workbench: &Workbench) {
+    let side = workbench.view.side;
+    if workbench.view.step == Step::Export {
+        ui.heading(say!("Export"));
+        ui.add_space(space::TIGHT);
+        widgets::scroll(ui, "export", |ui| export::preview(ui, workbench));
+        return;
+    }
+    if workbench.view.step == Step::Gap && side == Side::Results {
+        return gap::findings(ui, workbench);
+    }
+    let sides = [
+        (Side::Results, say!("Summary")),
+        (Side::Samples, &capital(say!("samples"))),
+    ];
+    ui.row(|ui| {
+        // Where there is no room for both, what is chosen says where one is.
+        let title = say!("Results");
+        let of_title = widgets::width_of(ui, title, strong(size::HEADING)) + space::ROW;
+        if of_title + widgets::width_of_segments(ui, &sides) <= ui.available_width() {
+            ui.heading(title);
+        }
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if let Some(side) = ui.segmented(&sides, side) {
+                workbench.then(move |bench| bench.view.side = side);
+            }
+        });
+    });
+    ui.add_space(space::TIGHT);
+    match side {
+        Side::Samples => samples::show(ui, workbench),
+        Side::Results => {
+            widgets::scroll(ui, "results", |ui| results::summary(ui, workbench));
+        }
     }
 }

@@ -177,9 +177,6 @@ fn wide(ui: &mut Ui, text: &str, filled: bool, height: f32) -> Response {
 pub(crate) const NEXT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Enter);
 
 /// In which pass [`NEXT`] was pressed.
-#[derive(Clone, Copy)]
-struct Asked(u64);
-
 fn asked() -> Id {
     Id::unique("what comes next was asked for")
 }
@@ -193,28 +190,28 @@ pub(crate) fn read_next(ctx: &Context) {
             if let Some(focused) = memory.focused() {
                 memory.surrender_focus(focused);
             }
-            memory.data.insert_temp(asked(), Asked(pass));
+            memory.data.insert_temp(asked(), pass);
         });
         ctx.request_repaint();
-    } else if let Some(Asked(before)) = ctx.data(|data| data.get_temp(asked()))
+    } else if let Some(before) = ctx.data(|data| data.get_temp::<u64>(asked()))
         && pass > before + LASTS
     {
         // Nothing comes next here.
-        ctx.data_mut(|data| data.remove::<Asked>(asked()));
+        ctx.data_mut(|data| data.remove::<u64>(asked()));
     }
 }
 
 /// Whether it is this button that [`NEXT`] asks for: behind a sheet none is.
 fn is_asked_for(ui: &Ui) -> bool {
     let ctx = ui.ctx();
-    let Some(Asked(before)) = ctx.data(|data| data.get_temp(asked())) else {
+    let Some(before) = ctx.data(|data| data.get_temp::<u64>(asked())) else {
         return false;
     };
     let top = ctx.memory(egui::Memory::top_modal_layer);
     let here = ui.is_enabled() && top.is_none_or(|top| top == ui.layer_id());
     let now = here && ctx.cumulative_pass_nr() > before;
     if now {
-        ctx.data_mut(|data| data.remove::<Asked>(asked()));
+        ctx.data_mut(|data| data.remove::<u64>(asked()));
     }
     now
 }

@@ -9,16 +9,15 @@ use crate::compensation::decision::FittedErrors;
 use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::explain::{Detail, Section, diagnosis};
-use crate::gui::cache::cloud::{Heat, Remainder};
+use crate::gui::cache::heat::Heat;
 use crate::gui::cache::{
-    AnswerSummary, ExportPreview, IdentifiedAnswer, PlotInputs, PreviewRequest, figures, preview,
+    ExportPreview, IdentifiedAnswer, PlotInputs, PreviewRequest, figures, preview,
 };
 use crate::gui::charts::Scene;
 use crate::gui::charts::effect::sketches;
-use crate::gui::core::answer::{Answer, LoadedModel, Question};
+use crate::gui::core::answer::{Answer, LoadedModel, Question, Search, term_of};
 use crate::gui::core::document::Method;
 use crate::gui::core::overview::{FEW, measuring_from_base};
-use crate::gui::core::search::{Search, term_of};
 use crate::gui::jobs::{Kind, Slot, Watch};
 use crate::gui::view::{Facing, Message, Sorting, Step};
 use crate::gui::workbench::{Derived, Workbench};
@@ -39,7 +38,7 @@ impl Workbench {
 
     /// What the answer depends on; `None` while nothing is to be identified. What was searched answers
     /// for itself.
-    pub(super) fn question(&self) -> Option<Question> {
+    pub(crate) fn question(&self) -> Option<Question> {
         let question = self.document().question()?;
         Some(match &self.derived.searched {
             Some(search) => question.found_by(search),
@@ -50,20 +49,11 @@ impl Workbench {
     /// The newest answer for the present session, or why there is none. While a newer question is
     /// being answered it is the answer to the one before.
     pub(crate) fn identified(&self) -> Option<&IdentifiedAnswer> {
-        let document = self.document();
-        self.derived
-            .identified
-            .made()
-            .map(|(_, made)| &**made)
-            .filter(|outcome| {
-                let question = &outcome.question;
-                document.identified
-                    && Arc::ptr_eq(&question.loaded_session, &document.loaded_session)
-                    && document.question().is_some_and(|asked| {
-                        std::mem::discriminant(&asked.asks)
-                            == std::mem::discriminant(&question.asks)
-                    })
-            })
+        let (_, made) = self.derived.identified.made()?;
+        let asked = self.document().question()?;
+        let of_this = Arc::ptr_eq(&made.question.loaded_session, &asked.loaded_session);
+        let [asked, answered] = [&asked, &made.question].map(|q| std::mem::discriminant(&q.asks));
+        (of_this && asked == answered).then_some(&**made)
     }
 
     /// The newest answer, to be held where it is one that is shown.
@@ -80,11 +70,6 @@ impl Workbench {
     /// Whether plots leave out the deviation before, so that what is left can be seen.
     pub(crate) fn only_after(&self) -> bool {
         self.view.only_after && self.answer().is_some()
-    }
-
-    /// What follows from the newest answer, for drawing.
-    pub(crate) fn after(&self) -> Option<&AnswerSummary> {
-        self.identified().and_then(|o| o.after.as_ref())
     }
 
     /// What plots are worked out of.
@@ -142,11 +127,6 @@ impl Workbench {
         self.view.heat && !self.view.in_space()
     }
 
-    /// What is left of the deviations, as it is uploaded.
-    pub(crate) fn remainder(&self) -> Option<Arc<Remainder>> {
-        self.after().map(|after| Arc::clone(&after.remainder))
-    }
-
     /// The export as it would be written, or why there is none. While a newer one of the same table is being made it
     /// is the one before; the figures of another format say nothing of this one.
     pub(crate) fn export(&self) -> Option<Result<&Arc<ExportPreview>, &String>> {
@@ -180,12 +160,8 @@ impl Workbench {
     /// model is another step's work.
     pub(crate) fn exported(&self) -> impl DoubleEndedIterator<Item = &PathBuf> {
         let shown = self.question();
-        let of_this = self
-            .file_state
-            .exported
-            .iter()
-            .filter(move |(_, of)| *of == shown);
-        of_this.map(|(path, _)| path)
+        let all = self.file_state.exported.iter();
+        all.filter_map(move |(path, of)| (*of == shown).then_some(path))
     }
 
     /// Whether the identification was cancelled: it is not repeated by itself.
@@ -194,24 +170,11 @@ impl Workbench {
         declined.is_some() && self.question().as_ref() == declined
     }
 
-    /// Whether the answer that is shown belongs to the document as it is.
-    #[cfg(any(test, debug_assertions))]
-    pub(crate) fn settled(&self) -> bool {
-        match (self.question(), self.derived.identified.made()) {
-            (None, _) => true,
-            (Some(asked), Some((of, _))) => *of == asked,
-            (Some(_), None) => false,
-        }
-    }
-
     /// A search of the open session: it begins where the identification ends, and goes with it where that is undone.
     pub(super) fn search_of_this(&self) -> Option<&Arc<Search>> {
-        let search = self
-            .derived
-            .searched
-            .as_ref()
-            .filter(|_| self.document().identified)?;
-        Arc::ptr_eq(&search.loaded_session, self.loaded_session()).then_some(search)
+        let search = self.derived.searched.as_ref()?;
+        let of_this = Arc::ptr_eq(&search.loaded_session, self.loaded_session());
+        (of_this && self.document().identified).then_some(search)
     }
 
     /// What it found, or why it found nothing out.
@@ -326,7 +289,7 @@ impl Workbench {
     fn sorted_by(&self, sample: usize) -> f64 {
         let loaded_session = self.loaded_session();
         let before = loaded_session.before.length_mm[sample];
-        let after = self.answer().map(|a| a.lengths_mm[sample]);
+        let after = self.answer().map(|a| a.after.length_mm[sample]);
         match self.view.sorting.by {
             0 => sample as f64,
             1 => loaded_session.q(sample),

@@ -3,21 +3,15 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::core::answer::Question;
+use crate::gui::core::answer::{Question, Search};
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::search::Search;
 use crate::gui::files::{self, Opened};
-use crate::gui::jobs::{Jobs, Kind, Running};
+use crate::gui::jobs::{Kind, Running};
 use crate::gui::view::{Message, What};
 use crate::gui::workbench::Workbench;
 
 impl Workbench {
-    /// Jobs that are under way.
-    pub(crate) fn jobs(&self) -> &Jobs<Self> {
-        &self.jobs
-    }
-
     /// The search that is under way.
     pub(crate) fn searching(&self) -> Option<&Running> {
         self.jobs.running(Kind::Searches)
@@ -72,15 +66,10 @@ impl Workbench {
     /// Stops the search where it is about other samples than those that are here now, or what it began from was
     /// undone.
     pub(super) fn stop_search_of_others(&mut self) {
-        let here = |searched: &Arc<LoadedSession>| {
-            Arc::ptr_eq(searched, self.loaded_session()) && self.document().identified
-        };
-        if self
-            .derived
-            .searching
-            .as_ref()
-            .is_some_and(|one| !here(one))
-        {
+        let here =
+            |searched| Arc::ptr_eq(searched, self.loaded_session()) && self.document().identified;
+        let searched = self.derived.searching.as_ref();
+        if searched.is_some_and(|one| !here(one)) {
             self.stop_search();
             let title = say!("The diagnosis was stopped: what it was about has changed").to_owned();
             let again = say!("Run diagnosis again").to_owned();
@@ -97,7 +86,11 @@ impl Workbench {
     /// Drops the newest job that the status bar names; what was to be done after it is not wanted any more either.
     pub(crate) fn cancel_newest(&mut self) {
         self.cancel_pending_action();
-        if self.jobs.newest().is_some_and(Running::searches) {
+        if self
+            .jobs
+            .newest()
+            .is_some_and(|job| job.kind == Kind::Searches)
+        {
             return self.stop_search();
         }
         if let Some(kind) = self.jobs.cancel(Kind::has_a_name) {
@@ -205,11 +198,9 @@ impl Workbench {
             )],
         );
     }
-}
 
-// Dialogs of the system in which a file is chosen, one at a time.
+    // Dialogs of the system in which a file is chosen, one at a time.
 
-impl Workbench {
     /// Asks for a file to open.
     pub(crate) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
         self.choose_near(ask, |bench, path| match path {

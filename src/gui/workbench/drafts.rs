@@ -1,16 +1,13 @@
 //! What is about to change the document: a file that an instrument wrote, from what is said about it to the session
 //! that it becomes; regions where the samples ask for them.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::sessions::Region;
 
-use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::disk::name_of;
 use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::regions::Counts;
-use crate::gui::core::regions::{Decision, adapt};
+use crate::gui::core::regions::{Counts, Decision, adapt};
 use crate::gui::files;
 use crate::gui::import_draft::{Companion, ImportDraft, InspectedDraft};
 use crate::gui::jobs::{Kind, Running, Watch};
@@ -53,15 +50,6 @@ impl Workbench {
         self.file_state.left_draft = Some(left);
     }
 
-    /// Changes what is said, and looks at the file with it.
-    #[cfg(any(test, debug_assertions))]
-    pub(crate) fn change_draft(&mut self, change: impl FnOnce(&mut ImportDraft)) {
-        if let Some(foreign) = self.import_draft() {
-            change(foreign);
-        }
-        self.keep_looking();
-    }
-
     /// The look at a foreign file that is under way.
     pub(crate) fn looking(&self) -> Option<&Running> {
         self.jobs.running(Kind::Looks)
@@ -78,9 +66,14 @@ impl Workbench {
         let of = measured.clone();
         let ask = move || files::choose_beside(which, measured.as_deref());
         self.choose(ask, move |bench, path| {
-            if bench.import_draft().map(|draft| &draft.path) == of.as_ref() {
-                bench.take_beside(which, path);
+            // The field is there to type it where no dialog is.
+            if let (Some(draft), Some(path)) = (bench.import_draft(), path)
+                && Some(&draft.path) == of.as_ref()
+            {
+                let path = path.to_string_lossy().into_owned();
+                draft.answers.choose(which, path);
             }
+            bench.keep_looking();
         });
     }
 
@@ -101,7 +94,7 @@ impl Workbench {
             }) = &seen
             {
                 // Made here, so that the window never waits for it.
-                Cloud::of(&trial.loaded_session);
+                trial.loaded_session.cloud();
             }
             (seen, foreign)
         };
@@ -111,28 +104,13 @@ impl Workbench {
             work,
             |bench: &mut Self, (seen, of)| {
                 // A cancelled one has no result.
-                if let Ok(seen) = seen {
-                    bench.take_looked(&of, seen);
+                let Ok(seen) = seen else { return };
+                if let Some(draft) = bench.import_draft() {
+                    draft.take(&of, seen);
                 }
+                bench.keep_looking();
             },
         );
-    }
-
-    fn take_looked(&mut self, of: &ImportDraft, seen: InspectedDraft) {
-        if let Some(foreign) = self.import_draft() {
-            foreign.take(of, seen);
-        }
-        self.keep_looking();
-    }
-
-    /// Takes a file that was chosen; the field is there to type it where no dialog is.
-    fn take_beside(&mut self, which: Companion, path: Option<PathBuf>) {
-        if let (Some(foreign), Some(path)) = (self.import_draft(), path) {
-            foreign
-                .answers
-                .choose(which, path.to_string_lossy().into_owned());
-        }
-        self.keep_looking();
     }
 
     /// Opens the session that the sheet shows.

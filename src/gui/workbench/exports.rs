@@ -9,16 +9,14 @@ use egui::ColorImage;
 use crate::compensation::decision::FittedErrors;
 use crate::export::find;
 use crate::gui::cache::{IdentifiedAnswer, PreviewRequest, StandardsFigures};
-use crate::gui::charts;
+use crate::gui::core::answer::Search;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{ExportChoice, plain};
-use crate::gui::core::search::Search;
-use crate::gui::files;
 use crate::gui::files::writing::{self, Made, Replace, Source};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, Message, Plot, Sheet, Step, What};
-use crate::kinematics::Robot;
+use crate::gui::{charts, files};
 use crate::pipeline::measuring_list;
 use crate::report::exported::sidecar_of;
 use crate::report::svg::svg_file;
@@ -44,17 +42,19 @@ impl Workbench {
             What::Report(About::Model) => {
                 format!("{}-model-report.html", plain(session))
             }
-            What::Picture(plot) => plot.file_name(session, plot.ending()),
+            What::Picture(plot) => {
+                format!(
+                    "{}-{}.{}",
+                    plain(session),
+                    plain(plot.name()),
+                    plot.ending()
+                )
+            }
 
             What::Robot(id) => format!("{id}.json"),
             What::TypedRobot => {
-                let name = self
-                    .file_state
-                    .settings
-                    .robots
-                    .first()
-                    .map(|table| table.name.as_str());
-                format!("{}.json", plain(name.unwrap_or_default()))
+                let table = self.typed_robots().first();
+                format!("{}.json", plain(table.map_or("", |table| &table.name)))
             }
             What::Targets => {
                 let path = self.compensated().map(Compensated::proposed_path);
@@ -73,11 +73,8 @@ impl Workbench {
             "report" => What::Report(About::Session),
             "report of the model" => What::Report(About::Model),
             "targets" => What::Targets,
-            _ => {
-                let chart = charts::find(name).map(|chart| Plot::Chart(chart.about().id));
-                let mut all = std::iter::once(Plot::Workspace).chain(chart);
-                What::Picture(all.find(|plot| plot.name() == name)?)
-            }
+            "workspace" => What::Picture(Plot::Workspace),
+            _ => What::Picture(Plot::Chart(charts::find(name)?.about().id)),
         })
     }
 
@@ -106,12 +103,10 @@ impl Workbench {
     /// An export, once it is known where to: all that goes into it is taken now. Where there is nothing to be
     /// written, that is said.
     pub(super) fn prepared(&mut self, what: What) -> Option<Write> {
-        let [title, first] = match self.write_of(what) {
-            Ok(write) => return write,
-            Err(missing) => missing,
-        };
-        self.complain(title, [first]);
-        None
+        self.write_of(what).unwrap_or_else(|[title, first]| {
+            self.complain(title, [first]);
+            None
+        })
     }
 
     /// What writes it, or what is missing and what to do first.
@@ -125,25 +120,19 @@ impl Workbench {
                     ]);
                 }
                 let document = Arc::clone(self.history.present());
-                let replacing = |yes| {
-                    if yes {
-                        Replace::Named
-                    } else {
-                        Replace::Nothing
-                    }
-                };
                 Some(Box::new(move |bench: &mut Self, path, replace| {
-                    bench.save_document(document, &path, replacing(replace));
+                    let replacing = [Replace::Nothing, Replace::Named][usize::from(replace)];
+                    bench.save_document(document, &path, replacing);
                 }))
             }
             What::Report(about) => Some(self.report(about)?),
             What::Picture(plot) => self.picture(plot),
 
             What::Targets => Some(self.targets()?),
-            What::Robot(id) => named(id).ok().map(|one| robot_file(&one.robot)),
+            What::Robot(id) => named(id).ok().map(|one| list(robot_document(&one.robot))),
             What::TypedRobot => {
-                let table = self.file_state.settings.robots.first();
-                table.and_then(|table| Some(robot_file(&table.robot().ok()?)))
+                let table = self.typed_robots().first();
+                table.and_then(|table| Some(list(robot_document(&table.robot().ok()?))))
             }
             What::Poses => {
                 let diagnosis = self.diagnosis().ok_or([
@@ -180,22 +169,14 @@ impl Workbench {
 
     /// Everything that the open session, its model and its tables stand in: no paper replaces it.
     pub(super) fn inputs(&self) -> Vec<PathBuf> {
-        let mut inputs: Vec<PathBuf> = self
-            .loaded_session()
-            .files
-            .iter()
-            .map(|f| f.path.clone())
-            .collect();
+        let files = self.loaded_session().files.iter();
+        let mut inputs: Vec<PathBuf> = files.map(|f| f.path.clone()).collect();
         if let Some(file) = self.file() {
             inputs.extend([file.to_path_buf(), samples_path(file)]);
         }
         inputs.extend(self.samples_file().map(PathBuf::from));
-        inputs.extend(
-            self.document()
-                .loaded_model
-                .as_ref()
-                .map(|given| given.path.clone()),
-        );
+        let given = self.document().loaded_model.as_ref();
+        inputs.extend(given.map(|given| given.path.clone()));
         for (table, _) in &self.file_state.exported {
             inputs.extend([table.clone(), sidecar_of(table)]);
         }
@@ -381,9 +362,10 @@ impl Workbench {
         let name = name_of(&wanted.path);
         let says = say!("correcting the targets of {name}", name);
         let session = Arc::clone(&outcome.question.loaded_session);
-        let work = move |_: &Watch| match outcome.handed_out() {
-            Ok(verified) => Compensated::of(&verified, &model, wanted),
-            Err(says) => Compensated::refused(wanted, says),
+        let work = move |_: &Watch| {
+            let verified = outcome.handed_out();
+            let verified = verified.as_deref().map_err(Clone::clone);
+            Compensated::of(verified, &model, wanted)
         };
         self.jobs.start(
             Kind::Once,
@@ -427,11 +409,6 @@ fn later(
         let work = move |watch: &Watch| writing::write(make, &path, replace, &inputs, watch);
         bench.jobs.start(Kind::Writes, says, work, then);
     })
-}
-
-fn robot_file(robot: &Robot) -> Write {
-    let document = robot_document(robot);
-    list(document)
 }
 
 /// A text of which nothing more has to be known.

@@ -16,12 +16,7 @@ use super::Workbench;
 impl Workbench {
     /// Report details: as they were typed, or as they are proposed.
     pub(crate) fn stated(&self) -> Stated {
-        let typed = self
-            .file_state
-            .stated
-            .get(&self.loaded_session().lineage)
-            .cloned();
-        typed.unwrap_or_else(|| {
+        self.typed().cloned().unwrap_or_else(|| {
             let folder = self.folder().unwrap_or_default();
             let mut stated =
                 file_state::proposed(&self.file_state.settings.machines, self.machine(&folder));
@@ -30,6 +25,11 @@ impl Workbench {
             }
             stated
         })
+    }
+
+    /// What was typed for the report of what is open.
+    fn typed(&self) -> Option<&Stated> {
+        self.file_state.stated.get(&self.loaded_session().lineage)
     }
 
     fn machine<'a>(&'a self, folder: &'a Path) -> Of<'a> {
@@ -51,12 +51,7 @@ impl Workbench {
 
     /// Remembers them for the next session of this machine.
     pub(super) fn keep_stated(&mut self) {
-        let Some(mut stated) = self
-            .file_state
-            .stated
-            .get(&self.loaded_session().lineage)
-            .cloned()
-        else {
+        let Some(mut stated) = self.typed().cloned() else {
             return;
         };
         stated.details.tolerance_mm = self.document().tolerance_mm;
@@ -100,7 +95,7 @@ impl Workbench {
     /// Whether more samples are within the tolerance by the model than with corrected commands: marks show the model.
     pub(crate) fn model_promises_more(&self) -> bool {
         let tolerance_mm = self.document().tolerance_mm;
-        let promised = tolerance_mm.and_then(|mm| Some(self.after()?.lengths.within(mm).0));
+        let promised = tolerance_mm.and_then(|mm| Some(self.answer()?.lengths.within(mm).0));
         let kept = self.corrected_within();
         kept.zip(promised)
             .is_some_and(|(kept, promised)| kept < promised)

@@ -28,29 +28,28 @@ use egui::{Color32, ColorImage, TextureHandle};
 
 use crate::compensation::decision::FittedErrors;
 use crate::explain::Section;
-use crate::gui::cache::cloud::Heat;
+use crate::gui::cache::heat::Heat;
 use crate::gui::cache::{
     ExportPreview, IdentifiedAnswer, Memo, PlotInputs, PreviewRequest, StandardsFigures,
 };
 use crate::gui::charts::effect::Sketches;
 use crate::gui::charts::{ChartPlaceholder, Scene, Shown};
-use crate::gui::core::answer::Question;
+use crate::gui::core::answer::{Question, Search};
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::{Changed, Document, ExportChoice, Method};
 use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::regions::Counts;
-use crate::gui::core::search::Search;
 use crate::gui::core::simulate::Form;
 use crate::gui::file_state::recovery::{LeftBehind, RecoveryFile};
 use crate::gui::file_state::{Settings, Stated};
 use crate::gui::files;
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Jobs, Slot};
-use crate::gui::view::Preferences;
 use crate::gui::view::{
-    Aspect, Camera, Message, NextAction, OnDisk, Plane, Sheet, Sorting, Step, ViewState,
+    Aspect, Camera, Message, NextAction, OnDisk, Plane, Preferences, Sheet, Sorting, Step,
+    ViewState,
 };
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
@@ -79,7 +78,7 @@ pub(crate) struct Workbench {
     pub(super) waiting: Option<(Change, bool)>,
     pub(super) picture: Option<ColorImage>,
     pub(super) chooser: Option<Chooser>,
-    pub(super) jobs: Jobs<Self>,
+    pub(crate) jobs: Jobs<Self>,
 }
 
 type Figures = Result<StandardsFigures, String>;
@@ -176,9 +175,8 @@ pub(super) struct FileState {
     pub(super) saved_as: Option<(ExportChoice, String)>,
     /// What was asked of the model that was written last.
     pub(super) model_on_file: Option<Question>,
-    pub(super) then: Option<NextAction>,
-    /// Whether everything that would be lost is saved before that.
-    pub(super) saves_all: bool,
+    /// What is done once a file is written, and whether everything that would be lost is saved before.
+    pub(super) then: Option<(NextAction, bool)>,
     /// The document as recovery has it.
     pub(super) kept: Option<Arc<Document>>,
 }

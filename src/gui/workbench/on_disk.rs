@@ -77,12 +77,9 @@ impl Workbench {
             Origin::Recovered(path) => path.as_ref(),
             Origin::Bundled | Origin::Simulated => None,
         };
-        let given = self
-            .document()
-            .loaded_model
-            .as_ref()
-            .map(|given| &given.path);
-        let near = self.file().or(came_from.or(given).map(PathBuf::as_path))?;
+        let given = self.document().loaded_model.as_ref();
+        let other = came_from.or(given.map(|given| &given.path));
+        let near = self.file().or(other.map(PathBuf::as_path))?;
         std::path::absolute(near).ok()?.parent().map(PathBuf::from)
     }
 

@@ -34,14 +34,12 @@ impl Workbench {
         if now.loaded_session.is_empty() {
             return false;
         }
-        let same = |Place {
-                        document: saved, ..
-                    }: &Place| {
+        let same = |saved: &Document| {
             now.regions == saved.regions
                 && now.tolerance_mm == saved.tolerance_mm
                 && Arc::ptr_eq(&now.loaded_session, &saved.loaded_session)
         };
-        !self.place().is_some_and(same)
+        !self.place().is_some_and(|place| same(&place.document))
     }
 
     /// What would be lost if the session were closed now. The session that the window began with
@@ -74,7 +72,8 @@ impl Workbench {
                 what = writing.what
             );
             self.view.message = Some(Message::done(title, Vec::new()));
-            self.file_state.then = Some(then);
+            let all = matches!(self.file_state.then, Some((_, true)));
+            self.file_state.then = Some((then, all));
             return;
         }
         if self.at_risk().any() {
@@ -151,8 +150,7 @@ impl Workbench {
     /// Saves what would be lost, then does it.
     pub(crate) fn save_then(&mut self, then: NextAction) {
         self.view.sheet = None;
-        self.file_state.then = Some(then);
-        self.file_state.saves_all = true;
+        self.file_state.then = Some((then, true));
         if self.at_risk().session {
             self.save();
         } else {
@@ -162,10 +160,9 @@ impl Workbench {
 
     /// Something was written: what was to be done then. Where all was to be saved first, that is what comes next.
     pub(super) fn resume(&mut self) {
-        let saves = std::mem::take(&mut self.file_state.saves_all);
         match self.file_state.then.take() {
-            Some(then) if saves && self.at_risk().any() => self.save_then(then),
-            Some(then) => self.ask_then(then),
+            Some((then, true)) if self.at_risk().any() => self.save_then(then),
+            Some((then, _)) => self.ask_then(then),
             None => {}
         }
     }
@@ -173,7 +170,6 @@ impl Workbench {
     /// What was to be done after saving is not done.
     pub(super) fn cancel_pending_action(&mut self) {
         self.file_state.then = None;
-        self.file_state.saves_all = false;
     }
 
     /// Saves to the session's own file, or asks for one.
@@ -235,22 +231,15 @@ impl Workbench {
                 };
                 self.file_state.places.insert(lineage, place);
                 self.forget_looks();
-                let mut details = Vec::new();
-                if self.at_risk().model {
-                    details.push(
-                        say!("What was identified is not in it: “Save model…” keeps that")
-                            .to_owned(),
-                    );
-                }
-                self.view.message = Some(Message::saved(&path, details));
+                let says = say!("What was identified is not in it: “Save model…” keeps that");
+                let details = self.at_risk().model.then(|| says.to_owned());
+                self.view.message = Some(Message::saved(&path, Vec::from_iter(details)));
                 self.use_recent(path);
                 self.resume();
             }
         }
     }
-}
 
-impl Workbench {
     /// Whether recovery lags behind the document.
     pub(crate) fn recovery_lags(&self) -> bool {
         let now = self.history.present();
@@ -264,17 +253,11 @@ impl Workbench {
 
     /// Writes what is not saved to this window's recovery file, or removes it where all is saved.
     pub(crate) fn keep_recovery(&mut self) {
-        let Some(path) = self
-            .file_state
-            .recovery_file
-            .as_ref()
-            .map(|k| k.path().to_path_buf())
-        else {
+        let keeper = self.file_state.recovery_file.as_ref();
+        let Some(keeper) = keeper.filter(|_| self.recovery_lags()) else {
             return;
         };
-        if !self.recovery_lags() {
-            return;
-        }
+        let path = keeper.path().to_path_buf();
         if !self.at_risk().any() {
             self.file_state.kept = None;
             let work = move || drop(std::fs::remove_file(&path));
@@ -325,22 +308,19 @@ impl Workbench {
         let Some(LeftBehind { own, kept, .. }) = self.file_state.left_behind.take() else {
             return;
         };
-        let mut session = kept.session;
-        let file = kept.about.file;
-        session.path.clone_from(&file);
-        let origin = Origin::Recovered(file);
+        let SavedDocument { mut session, about } = kept;
+        session.path.clone_from(&about.file);
+        let origin = Origin::Recovered(about.file.clone());
         let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
-        self.edit(|document| Ok(document.recover(loaded_session, &kept.about.choices)));
+        self.edit(|document| Ok(about.restore(document, loaded_session)));
         // It is this window's from now on.
         if let Some(other) = self.file_state.recovery_file.replace(own) {
             other.tidy();
         }
         self.file_state.kept = None;
         self.keep_recovery();
-        self.view.message = Some(Message::done(
-            say!("Restored; it is not saved yet").to_owned(),
-            Vec::new(),
-        ));
+        let title = say!("Restored; it is not saved yet");
+        self.view.message = Some(Message::done(title, Vec::new()));
     }
 
     /// Discards what was left behind, and offers what is next.

@@ -1,10 +1,11 @@
 //! Where the parts of the workspace plot go: bounds, sectors, the scale, what is under the pointer, and which of
 //! many vectors are drawn. Rectangles and points only, so that it is tested without pixels.
 
+use egui::Pos2;
 use egui_plot::PlotTransform;
 
 use super::model::{Dial, Shown};
-use crate::gui::core::overview::{FEW, round_down};
+use crate::gui::core::overview::{FEW, corners, round_down};
 use crate::text::{Template, filled};
 
 /// Sectors reach so far beyond the path, in parts of the radius.
@@ -18,32 +19,20 @@ const CHORD_RAD: f64 = 0.05;
 
 /// Smallest and largest corner of everything, mm, with room for handles.
 pub(crate) fn bounds(shown: &Shown) -> [[f64; 2]; 2] {
-    let mut low = [f64::INFINITY; 2];
-    let mut high = [f64::NEG_INFINITY; 2];
-    let mut take = |p: [f64; 2]| {
-        for k in 0..2 {
-            if p[k].is_finite() {
-                low[k] = low[k].min(p[k]);
-                high[k] = high[k].max(p[k]);
-            }
-        }
-    };
-    shown.measured_mm.into_iter().for_each(&mut take);
-    shown.robot_mm.into_iter().for_each(&mut take);
-    let paths = shown.paths_mm.iter().flatten();
-    let paths: Vec<[f64; 2]> = paths.map(|p| shown.look.facing.flat(*p)).collect();
-    paths.iter().copied().for_each(&mut take);
+    let path = shown.paths_mm.iter().flatten();
+    let path = path.map(|p| shown.look.facing.flat(*p));
+    let ends = shown.measured_mm.into_iter().chain(shown.robot_mm);
+    let mut all: Vec<[f64; 2]> = ends.chain(path.clone()).collect();
     if let Some(dial) = &shown.dial {
-        take(dial.centre_mm);
-        for p in &paths {
-            let arm = [p[0] - dial.centre_mm[0], p[1] - dial.centre_mm[1]];
+        let centre = dial.centre_mm;
+        all.push(centre);
+        all.extend(path.map(|p| {
+            let arm = [p[0] - centre[0], p[1] - centre[1]];
             let out = ROOM * dial.radius_mm / arm[0].hypot(arm[1]).max(1e-9);
-            take([
-                dial.centre_mm[0] + out * arm[0],
-                dial.centre_mm[1] + out * arm[1],
-            ]);
-        }
+            [centre[0] + out * arm[0], centre[1] + out * arm[1]]
+        }));
     }
+    let [low, high] = corners(all);
     if !low[0].is_finite() || !low[1].is_finite() {
         return [[-1.0, -1.0], [1.0, 1.0]];
     }
@@ -75,13 +64,12 @@ pub(crate) fn scale_mm(magnification: f64, points_per_mm: f64, most_points: f64)
 
 /// The sample nearest to the pointer, of those within `reach` points of it.
 pub(crate) fn nearest(
-    candidates: impl Iterator<Item = (usize, [f32; 2])>,
-    pointer: [f32; 2],
+    candidates: impl Iterator<Item = (usize, Pos2)>,
+    pointer: Pos2,
     reach: f32,
 ) -> Option<usize> {
-    let distance = |p: [f32; 2]| (p[0] - pointer[0]).hypot(p[1] - pointer[1]);
     candidates
-        .map(|(sample, at)| (sample, distance(at)))
+        .map(|(sample, at)| (sample, pointer.distance(at)))
         .filter(|(_, d)| *d <= reach)
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(sample, _)| sample)
@@ -131,26 +119,18 @@ pub(crate) fn drawn(shown: &Shown, [points, vectors]: [usize; 2]) -> Vec<String>
     if shown.vectors.is_some() {
         return Vec::new();
     }
-    let one_of = |count: usize| shown.samples.div_ceil(count.max(1));
     let note = |(count, says): (usize, Template)| {
         let why = if count == shown.most {
             say!("this computer draws in software")
         } else {
             say!("zoom in for more")
         };
-        let one_of = one_of(count);
+        let one_of = shown.samples.div_ceil(count.max(1));
         (count < shown.samples).then(|| filled(says, &[("one_of", &one_of), ("why", &why)]))
     };
-    let layers = [
-        (
-            points,
-            phrase!("showing 1 in {one_of} points; {why}"; one_of, why),
-        ),
-        (
-            vectors,
-            phrase!("showing 1 in {one_of} vectors; {why}"; one_of, why),
-        ),
-    ];
+    let of_points = phrase!("showing 1 in {one_of} points; {why}"; one_of, why);
+    let of_vectors = phrase!("showing 1 in {one_of} vectors; {why}"; one_of, why);
+    let layers = [(points, of_points), (vectors, of_vectors)];
     layers.into_iter().filter_map(note).collect()
 }
 
@@ -167,6 +147,7 @@ fn side_mm(transform: &PlotTransform) -> f64 {
 mod tests {
     use super::*;
     use crate::gui::testing::{lamp, workbench, workbench_on};
+    use egui::pos2;
     use egui_plot::PlotBounds;
 
     #[test]
@@ -220,9 +201,9 @@ mod tests {
 
     #[test]
     fn the_nearest_sample_is_found_within_reach_only() {
-        let at = [(7, [0.0, 0.0]), (8, [10.0, 0.0])];
-        assert_eq!(nearest(at.into_iter(), [8.0, 1.0], 12.0), Some(8));
-        assert_eq!(nearest(at.into_iter(), [50.0, 50.0], 12.0), None);
+        let at = [(7, pos2(0.0, 0.0)), (8, pos2(10.0, 0.0))];
+        assert_eq!(nearest(at.into_iter(), pos2(8.0, 1.0), 12.0), Some(8));
+        assert_eq!(nearest(at.into_iter(), pos2(50.0, 50.0), 12.0), None);
     }
 
     #[test]

@@ -9,14 +9,13 @@ use egui::{
 };
 use nalgebra::Isometry3;
 
-use crate::gui::plots;
 use crate::gui::style::{Palette, space};
 use crate::gui::view::{Ball, Camera as ViewCamera};
-use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::pen::{Camera, Pen};
 use crate::gui::workspace::pointer::{Seen, tell_plot_size};
 use crate::gui::workspace::robot::{Drawn, body};
+use crate::gui::{plots, widgets};
 use crate::kinematics::Robot;
 
 use super::scene::{Space, in_space};
@@ -146,7 +145,7 @@ fn looked(ui: &Ui, response: &Response, rect: Rect, ball: &Ball, camera: ViewCam
         }
     }
     if response.has_focus() {
-        widgets::keep_arrows(ui, response.id, [true; 2]);
+        widgets::keep_arrows(ui, response.id);
         camera = by_keys(ui, camera);
     }
     camera

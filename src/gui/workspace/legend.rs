@@ -8,7 +8,7 @@ use egui::{
 };
 
 use crate::gui::layers::scale_at;
-use crate::gui::plots::legend::{self, SIGN};
+use crate::gui::plots::chart::{self, SIGN};
 use crate::gui::plots::mark;
 use crate::gui::style::{Palette, size};
 use crate::gui::widgets;
@@ -32,7 +32,7 @@ type Entry = (String, Vec<Shape>, f32);
 
 fn show_entry(ui: &mut Ui, (name, sign, room): Entry) -> Rect {
     let muted = Palette::of(ui).muted;
-    let (place, response) = legend::entry(ui, (sign, room), (&name, muted), Sense::hover());
+    let (place, response) = chart::entry(ui, (sign, room), (&name, muted), Sense::hover());
     let label = say!("legend: {name}", name);
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, label.clone()));
     place
@@ -52,7 +52,7 @@ pub(super) fn show(
     let marks = entries(workbench, shown, robot, &palette).into_iter();
     let bar = colour_bar(ui, workbench, shown, if low { SHORT } else { LONG });
     let between = vec2(10.0, 1.0);
-    legend::rows(ui, between, |ui| {
+    chart::rows(ui, between, |ui| {
         let all = |ui: &mut Ui| {
             for one in marks {
                 show_entry(ui, one);
@@ -175,10 +175,10 @@ const THICK: f32 = 7.0;
 /// Pieces of the scale.
 const PIECES: u16 = 48;
 
-/// What the scale of lengths is of, and its upper end; none without the heat map.
+/// The name of the scale of lengths and what its end says; none without the heat map.
 fn scale(workbench: &Workbench, shown: &Shown) -> Option<[String; 2]> {
-    let units = workbench.units();
     workbench.heat()?;
+    let units = workbench.units();
     let long = significant(units.length_value(shown.look.long_mm), 2);
     let name = format!("{}, {}", say!("heat map"), units.length_name());
     Some([name, format!("≥ {long}")])

@@ -194,7 +194,7 @@ fn display(ui: &mut Ui, workbench: &Workbench) {
     menu.show(|ui| {
         ui.spacing_mut().item_spacing = vec2(space::ROW, space::ROW);
         ui.row(|ui| magnification(ui, workbench));
-        if let Some(after) = workbench.after() {
+        if let Some(after) = workbench.answer() {
             ui.row(|ui| scale_for(ui, workbench, after.readable));
         }
         if !workbench.view.in_space() {

@@ -3,7 +3,6 @@
 
 use nalgebra::{Isometry3, Point3};
 
-use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::overview::{FEW, long_mm};
 use crate::gui::layers::LayerOptions;
@@ -19,13 +18,6 @@ pub(crate) struct VisibleSample {
     pub(crate) vector_mm: [f64; 3],
     /// The deviation before, where another is shown.
     pub(crate) before_mm: Option<[f64; 3]>,
-}
-
-impl VisibleSample {
-    /// Where the simulation has it that a deviation is from, mm.
-    pub(crate) fn simulated_mm(&self, deviation_mm: [f64; 3]) -> [f64; 3] {
-        [0, 1, 2].map(|k| self.at_mm[k] - deviation_mm[k])
-    }
 }
 
 /// How angles of joint 1 lie in the plane.
@@ -164,7 +156,7 @@ pub(crate) fn magnification(workbench: &Workbench) -> f64 {
 /// the instrument's frame, those that are left.
 pub(crate) fn readable(workbench: &Workbench) -> f64 {
     let left = workbench
-        .after()
+        .answer()
         .filter(|_| workbench.found_base().is_some());
     let readable = left.map_or(workbench.loaded_session().overview.readable, |after| {
         after.readable
@@ -190,7 +182,7 @@ pub(crate) fn ball(workbench: &Workbench) -> Ball {
     const SOME: usize = 1_000;
     let loaded_session = workbench.loaded_session();
     let to_base = workbench.base().inverse();
-    let cloud = Cloud::of(loaded_session);
+    let cloud = loaded_session.cloud();
     let measured = cloud.samples.iter().take(SOME).map(|sample| {
         let p = loaded_session.measured(*sample as usize);
         (to_base * Point3::from(p)).into()
@@ -212,7 +204,7 @@ fn look(workbench: &Workbench) -> LayerOptions {
     LayerOptions {
         facing: workbench.facing(),
         deep_mm: view.in_space().then(|| 2.0 * ball(workbench).radius_mm),
-        centre_mm: Cloud::of(loaded_session).centre_mm,
+        centre_mm: loaded_session.cloud().centre_mm,
         framed: view.in_space() && workbench.found_base().is_some(),
         blend: if answered { view.blend } else { 0.0 },
         answered,
@@ -234,7 +226,7 @@ fn colour_end_mm(workbench: &Workbench, magnification: f64) -> f64 {
     let view = &workbench.view;
     let radius_mm = workbench.loaded_session().overview.radius_mm;
     let before = long_mm(radius_mm, magnification);
-    match workbench.after() {
+    match workbench.answer() {
         Some(after) if view.heat && view.magnification.is_none() => {
             let t = f64::from(view.blend);
             before
@@ -291,12 +283,12 @@ fn is_sparse(workbench: &Workbench) -> bool {
 fn most_telling(workbench: &Workbench) -> Vec<u32> {
     let loaded_session = workbench.loaded_session();
     let after = workbench.answer().filter(|_| workbench.view.blend > 0.0);
-    let lengths = after.map_or(&loaded_session.before.length_mm, |a| &a.lengths_mm);
+    let lengths = after.map_or(&loaded_session.before.length_mm, |a| &a.after.length_mm);
     let mut largest = loaded_session.overview.usable.clone();
     largest.retain(|sample| lengths[*sample as usize].is_finite());
     largest.sort_by(|a, b| lengths[*b as usize].total_cmp(&lengths[*a as usize]));
     largest.truncate(LARGEST);
-    let cloud = Cloud::of(loaded_session);
+    let cloud = loaded_session.cloud();
     let others = cloud.samples.iter().copied();
     let others = others.filter(|sample| !largest.contains(sample));
     let others: Vec<u32> = others.take(EVENLY).collect();

@@ -1,10 +1,8 @@
 //! What the workspace is drawn with: a camera, which says where places are in the picture, and a pen that draws there,
 //! in points and in the colours of the theme.
 
-use std::sync::Arc;
-
 use egui::text::{LayoutJob, TextWrapping};
-use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
 use egui_plot::{PlotBounds, PlotPoint, PlotTransform};
 
 use crate::gui::plots::mark;
@@ -22,19 +20,9 @@ pub(super) struct Camera {
 }
 
 impl Camera {
-    /// One that shows these bounds (smallest and largest corner), with the same scale both ways, in a
-    /// rectangle.
+    /// One that shows these bounds (smallest and largest corner), which are formed like it, in a rectangle.
     pub(super) fn showing(facing: Facing, [low, high]: [[f64; 2]; 2], frame: Rect) -> Self {
-        let sides = [frame.width(), frame.height()].map(f64::from);
-        let scale = (0..2).map(|k| sides[k] / (high[k] - low[k]).max(1e-9));
-        let scale = scale.fold(f64::INFINITY, f64::min);
-        let half = sides.map(|side| 0.5 * side / scale);
-        let middle = [0, 1].map(|k| f64::midpoint(low[k], high[k]));
-        let bounds = PlotBounds::from_min_max(
-            [middle[0] - half[0], middle[1] - half[1]],
-            [middle[0] + half[0], middle[1] + half[1]],
-        );
-        let transform = PlotTransform::new(frame, bounds, false);
+        let transform = PlotTransform::new(frame, PlotBounds::from_min_max(low, high), false);
         Self { facing, transform }
     }
 
@@ -162,19 +150,15 @@ impl<'a> Pen<'a> {
     }
 
     pub(super) fn label(&mut self, at: Pos2, label: &Label) {
-        let galley = self.galley(label);
-        let place = label.anchor.anchor_size(at, galley.size());
-        self.shapes
-            .push(Shape::galley(place.min, galley, label.color));
-    }
-
-    fn galley(&self, label: &Label) -> Arc<Galley> {
         let (text, font) = (label.text.clone(), label.font.clone());
         let mut job = LayoutJob::simple_singleline(text, font, label.color);
         if let Some(most) = label.most {
             job.wrap = TextWrapping::truncate_at_width(most);
         }
-        self.painter.layout_job(job)
+        let galley = self.painter.layout_job(job);
+        let place = label.anchor.anchor_size(at, galley.size());
+        self.shapes
+            .push(Shape::galley(place.min, galley, label.color));
     }
 }
 

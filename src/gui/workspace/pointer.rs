@@ -9,7 +9,6 @@ use egui::{
 };
 
 use crate::gui::actions::EXCLUDE;
-use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::regions::{self, SNAP_DEG};
@@ -17,11 +16,10 @@ use crate::gui::style::Palette;
 use crate::gui::view::ViewState;
 use crate::gui::widgets::{self, Words};
 use crate::gui::workbench::Workbench;
-use crate::gui::workspace::fitting;
-use crate::gui::workspace::legend;
 use crate::gui::workspace::model::{Shown, judged};
 use crate::gui::workspace::pen::Camera;
 use crate::gui::workspace::robot::Drawn;
+use crate::gui::workspace::{fitting, legend};
 use crate::present::numbers::trimmed;
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -60,7 +58,7 @@ fn under(
 ) -> Option<usize> {
     let facing = &shown.look.facing;
     let at = camera.transform.value_from_position(at);
-    let cloud = Cloud::of(workbench.loaded_session());
+    let cloud = workbench.loaded_session().cloud();
     let [x, y] = facing.flat(cloud.centre_mm);
     let drawn = cloud.places.iter().zip(&cloud.samples).take(points);
     let found = drawn.filter_map(|(place, sample)| {
@@ -154,7 +152,7 @@ fn about(workbench: &Workbench, sample: usize, all: bool) -> (String, Vec<Line>)
     let loaded_session = &**workbench.loaded_session();
     let units = workbench.units();
     let title = say!("sample {sample}", sample = sample + 1);
-    let mut lines = Vec::new();
+    let mut lines: Vec<Line> = Vec::new();
     let joints = &loaded_session.session.robot.joints;
     let joints = joints.iter().zip(&loaded_session.session.samples.q);
     let joints = joints.map(|(joint, q)| {
@@ -167,30 +165,28 @@ fn about(workbench: &Workbench, sample: usize, all: bool) -> (String, Vec<Line>)
         let values: Vec<String> = joints.map(|(_, value)| value).collect();
         lines.push((say!("joints").to_owned(), values.join(", ")));
     }
+    let mut line = |name: &str, value: String| lines.push((name.to_owned(), value));
     if all {
         let came = match loaded_session.side(sample) {
             s if s > 0.0 => say!("approach +"),
             s if s < 0.0 => say!("approach −"),
             _ => say!("not known"),
         };
-        lines.push((say!("approached").to_owned(), came.to_owned()));
+        line(say!("approached"), came.to_owned());
     }
     if !loaded_session.usable[sample] {
-        lines.push((
-            say!("excluded").to_owned(),
-            say!("a value is missing").to_owned(),
-        ));
+        line(say!("excluded"), say!("a value is missing").to_owned());
         return (title, lines);
     }
     let before = loaded_session.deviation_before(sample);
     let length = |e: [f64; 3]| units.length(loaded_session.component(e, sample, Component::Length));
     let mut shown = before;
     match workbench.answer() {
-        None => lines.push((say!("deviation").to_owned(), length(before))),
+        None => line(say!("deviation"), length(before)),
         Some(answer) => {
             shown = answer.deviation_after(sample);
-            lines.push((say!("before").to_owned(), length(before)));
-            lines.push((say!("after").to_owned(), length(shown)));
+            line(say!("before"), length(before));
+            line(say!("after"), length(shown));
         }
     }
 
@@ -200,7 +196,7 @@ fn about(workbench: &Workbench, sample: usize, all: bool) -> (String, Vec<Line>)
             continue;
         }
         let value = loaded_session.component(shown, sample, component);
-        lines.push((component.name().to_owned(), units.length(value)));
+        line(component.name(), units.length(value));
     }
     if all {
         let samples = &loaded_session.session.samples;
@@ -211,20 +207,16 @@ fn about(workbench: &Workbench, sample: usize, all: bool) -> (String, Vec<Line>)
         ];
         for (name, column, unit) in conditions {
             if let Some(value) = column.as_ref().map(|c| c[sample]).filter(|v| v.is_finite()) {
-                lines.push((name.to_owned(), format!("{} {unit}", trimmed(value, 2))));
+                line(name, format!("{} {unit}", trimmed(value, 2)));
             }
         }
         let [right, up] = workbench.facing().flat(shown);
         let direction = up.atan2(right).to_degrees();
-        lines.push((
-            say!("direction").to_owned(),
-            format!("{}°", trimmed(direction, 0)),
-        ));
+        line(say!("direction"), format!("{}°", trimmed(direction, 0)));
     }
     if let Some(tolerance_mm) = workbench.document().tolerance_mm {
         let within = loaded_session.component(shown, sample, Component::Length) <= tolerance_mm;
-        let says = judged(workbench, within);
-        lines.push((say!("tolerance").to_owned(), says.to_owned()));
+        line(say!("tolerance"), judged(workbench, within).to_owned());
     }
     (title, lines)
 }
@@ -406,7 +398,7 @@ fn moved_by_keys(ui: &Ui, response: &Response, at_deg: f64) -> Option<f64> {
     let mut steps = 0.0;
     let mut step_deg = STEPS_DEG.1;
     if response.has_focus() {
-        widgets::keep_arrows(ui, response.id, [true; 2]);
+        widgets::keep_arrows(ui, response.id);
         ui.input(|input| {
             let presses = |key: Key| input.num_presses(key) as f64;
             steps += presses(Key::ArrowUp) + presses(Key::ArrowRight);

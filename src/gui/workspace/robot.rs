@@ -66,35 +66,38 @@ impl Drawn {
         let target = sample.and_then(|s| Some(loaded_session.session.samples.target.as_ref()?[s]));
         let target = targets.get(target.map_or(0, |t| t as usize));
         let target_mm = target.map_or_else(Point3::origin, |t| t.position_mm);
-        let base = workbench.base();
-        let corners = Skeleton::new(robot, &target_mm).at(&q)?;
-        let corners: Vec<_> = corners.iter().map(|p| base * p).collect();
         let units = workbench.units();
-        let values = robot
-            .joints
-            .iter()
-            .zip(&q)
-            .map(|(joint, q)| (joint.name.clone(), joint_value(units, joint.kind, *q)));
+        let values = robot.joints.iter().zip(&q);
+        let values =
+            values.map(|(joint, q)| (joint.name.clone(), joint_value(units, joint.kind, *q)));
         Some(Self {
             sample,
             asked_for: asked.is_some(),
-            q: q.clone(),
-            signs: signs(robot, &q, &base, &corners),
             values: values.collect(),
-            corners_mm: corners,
+            ..Self::at(robot, q, &target_mm, &workbench.base())?
         })
     }
 
     /// A robot by itself at home, without a session.
     pub(crate) fn alone(robot: &Robot) -> Option<Self> {
-        let q = home(robot);
-        let corners = Skeleton::new(robot, &Point3::origin()).at(&q)?;
+        let (target_mm, base) = (Point3::origin(), Isometry3::identity());
+        Self::at(robot, home(robot), &target_mm, &base)
+    }
+
+    fn at(
+        robot: &Robot,
+        q: Vec<f64>,
+        target_mm: &Point3<f64>,
+        base: &Isometry3<f64>,
+    ) -> Option<Self> {
+        let corners = Skeleton::new(robot, target_mm).at(&q)?;
+        let corners_mm: Vec<_> = corners.iter().map(|p| base * p).collect();
         Some(Self {
             sample: None,
             asked_for: true,
-            signs: signs(robot, &q, &Isometry3::identity(), &corners),
+            signs: signs(robot, &q, base, &corners_mm),
             values: Vec::new(),
-            corners_mm: corners,
+            corners_mm,
             q,
         })
     }

@@ -8,7 +8,6 @@ use egui::epaint::Mesh;
 use egui::{Align2, Color32, Rect, Shape, Stroke, TextureOptions, pos2, vec2};
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 
-use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::overview::round_down;
 use crate::gui::layers::gpu::CloudLayer;
 use crate::gui::layers::{Frame, WIDTH, heat_map, map_in_plot};
@@ -121,8 +120,8 @@ fn path(pen: &mut Pen<'_>, shown: &Shown, camera: &Camera) {
 fn samples(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera) {
     let pixels = pen.painter.pixels_per_point();
     let layer = CloudLayer {
-        cloud: Cloud::of(workbench.loaded_session()),
-        remainder: workbench.remainder(),
+        cloud: Arc::clone(workbench.loaded_session().cloud()),
+        remainder: workbench.answer().map(|a| Arc::clone(&a.remainder)),
         frame: Frame::new(&shown.look, pen.palette, &camera.transform, pixels),
         counts: fitting::counts(shown, &camera.transform),
         ghosts: shown.look.ghosts(),
@@ -137,7 +136,9 @@ fn samples(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Cam
 fn vectors(pen: &mut Pen<'_>, shown: &Shown, all: &[VisibleSample], camera: &Camera) {
     let palette = pen.palette;
     let ends = |one: &VisibleSample, v: [f64; 3]| {
-        let (from, m) = (one.simulated_mm(v), shown.magnification);
+        // From where the simulation has it.
+        let from = [0, 1, 2].map(|k| one.at_mm[k] - v[k]);
+        let m = shown.magnification;
         [from, [0, 1, 2].map(|k| from[k] + m * v[k])].map(|p| camera.at(p))
     };
     let ghost = palette.before.gamma_multiply(0.38);

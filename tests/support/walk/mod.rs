@@ -277,7 +277,7 @@ fn consistent(bench: &Workbench) {
     }
     divided(document);
     if let Some(answer) = bench.answer() {
-        assert_eq!(answer.lengths_mm.len(), samples);
+        assert_eq!(answer.after.length_mm.len(), samples);
     }
     assert!((0.0..=1.0).contains(&view.blend));
     assert!(view.magnification.is_none_or(|m| m.is_finite() && m > 0.0));

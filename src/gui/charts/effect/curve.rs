@@ -15,9 +15,9 @@ use crate::effects::{Inputs, JointValues, Over as Follows, Term};
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::overview::stride;
 use crate::gui::core::quantity::{Over, Variable};
-use crate::gui::core::search::{Search, terms};
+use crate::gui::core::answer::{Search, terms};
 use crate::lanes::minus;
-use crate::model::{Model, Positions};
+use crate::model::Model;
 
 /// Samples that are looked at to find out which component an effect has.
 const SOME: usize = 500;
@@ -101,11 +101,6 @@ fn over(term: &Term, loaded_session: &LoadedSession) -> Over {
     over(if varies { variable } else { Variable::Joint })
 }
 
-/// Whether an effect depends on the side from which a joint comes.
-fn has_sides(term: &Term) -> bool {
-    term.effect.about().over.has_sides()
-}
-
 /// The component that an effect has most of.
 pub(crate) fn strongest(
     loaded_session: &LoadedSession,
@@ -182,7 +177,7 @@ impl EffectCurve {
             loaded_session.overview.usable.iter().map(spot).collect();
         spots.retain(|s| s.x.is_finite() && s.residual_mm.is_finite());
         spots.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.sample.cmp(&b.sample)));
-        let sides: &[f64] = if has_sides(&term) && over.variable != Variable::Speed {
+        let sides: &[f64] = if term.effect.about().over.has_sides() && over.variable != Variable::Speed {
             &[-1.0, 1.0]
         } else {
             &[0.0]
@@ -193,16 +188,13 @@ impl EffectCurve {
             let inputs = between(&inputs, &spots, over, *side, [from, to])?;
             let nominal = Model::nominal(loaded_session.session.robot.clone()).predict(&inputs);
             let (a, b) = (with.predict(&inputs), without.predict(&inputs));
-            let points = points(
-                loaded_session,
-                component,
-                [&a, &b, &nominal],
-                planar,
-                [from, to],
-            );
+            let point = |(k, x): (usize, f64)| {
+                let d = flat(minus(a.get(k), b.get(k)));
+                [x, loaded_session.component_at(d, nominal.get(k), component)]
+            };
             Some(Line {
                 side: *side,
-                points,
+                points: places([from, to]).enumerate().map(point).collect(),
             })
         };
         let lines: Option<Vec<Line>> = sides.iter().map(line).collect();
@@ -289,23 +281,6 @@ fn between(
         poses.dir[over.joint] = Some(vec![side; FINE].into());
     }
     Some(poses)
-}
-
-fn points(
-    loaded_session: &LoadedSession,
-    component: Component,
-    [with, without, nominal]: [&Positions; 3],
-    planar: bool,
-    ends: [f64; 2],
-) -> Vec<[f64; 2]> {
-    let point = |(k, x): (usize, f64)| {
-        let mut d = minus(with.get(k), without.get(k));
-        if planar {
-            d[2] = 0.0;
-        }
-        [x, loaded_session.component_at(d, nominal.get(k), component)]
-    };
-    places(ends).enumerate().map(point).collect()
 }
 
 /// Whether lines say at every sample what the effect is there.

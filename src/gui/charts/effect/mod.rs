@@ -9,7 +9,7 @@ use crate::gui::charts::{
 };
 use crate::gui::core::overview::{FEW, stride, thinned};
 use crate::gui::core::quantity::Scale;
-use crate::gui::core::search::{Search, terms};
+use crate::gui::core::answer::{Search, terms};
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::present::chart::{

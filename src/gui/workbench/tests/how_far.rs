@@ -135,7 +135,7 @@ fn a_session_that_is_opened_says_how_far_it_is_and_is_cancelled() {
     let bar = bar();
     let says = bar.describe(&mut bench);
     assert!(says.iter().any(|s| s == "reading session.json"), "{says:?}");
-    let share = bench.jobs().newest().and_then(Running::progress);
+    let share = bench.jobs.newest().and_then(Running::progress);
     assert_eq!(share, Some(0.3));
     bar.press(&mut bench, "Cancel");
     assert!(!bar.describe(&mut bench).iter().any(|s| s == "Cancel"));

@@ -30,12 +30,8 @@ use egui::{
 };
 
 #[cfg(test)]
-#[path = "../../../tests/support/vision.rs"]
+#[path = "../../tests/support/vision.rs"]
 pub(crate) mod testing;
-
-mod layout;
-
-pub(crate) use layout::{LEFT, Layout, MIDDLE, RIGHT, WIDEST};
 
 /// What every colour is for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -230,7 +226,7 @@ fn fonts() -> FontDefinitions {
     add("Noto Sans SC", crate::fonts::NOTO_SANS_SC);
     add(
         "Phosphor",
-        include_bytes!("../../../assets/fonts/Phosphor.ttf"),
+        include_bytes!("../../assets/fonts/Phosphor.ttf"),
     );
     let fallback = fonts
         .families
@@ -470,7 +466,7 @@ mod tests {
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
                 if path.is_dir() {
                     walk(&path, found);
-                } else if name.ends_with(".rs") && !path.ends_with("style/mod.rs") {
+                } else if name.ends_with(".rs") && !path.ends_with("gui/style.rs") {
                     found.push(path);
                 }
             }

@@ -1,124 +1,25 @@
-//! The samples as they are uploaded: where each was measured and how far off it was; and with
-//! an answer what it leaves.
+//! The error between the samples: a map of the root mean square deviation over the plane.
 //!
-//! Lengths are mm of the measuring frame, in single precision from the middle of the workspace:
-//! 0.03 µm at half a metre. Samples stand in an order whose every beginning is spread evenly over
-//! the session (steps of the golden ratio), so that the first of them show the whole. Every nth
-//! sample would not: where reflectors or directions alternate it is always the same of them.
-
-use std::sync::Arc;
+//! Samples are averaged by cell, so that a place measured a thousand times counts as much as one
+//! measured once, and the cells smoothed by a normalised Gaussian (Knutsson & Westin 1993):
+//!
+//! ```text
+//! m(p) = Σ w(p − c) m(c) / Σ w(p − c),   w(r) = exp(−r² / 2σ²),   opacity = 1 − exp(−2.5 max w)
+//! ```
+//!
+//! over the cells c that hold a sample; the nearest of them decides how far the map reaches, however
+//! many there are. σ is half of what lies between neighbouring places, within bounds: neighbours run
+//! into one another, and what is farther from all of them than they are apart stays empty. A cell
+//! keeps three mean products, |b|², b·a and |a|² of
+//! the deviations before and after: the map at any blend t between them is exactly
+//! √((1−t)² |b|² + 2t(1−t) b·a + t² |a|²), so that blending needs no new map. Cells follow the
+//! nominal robot's extent: a sample that was measured far away cannot stretch the map.
 
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::view::Plane;
 use crate::lanes::dot;
 use crate::numeric::{single, whole};
-
-/// Measured point, and deviation before.
-pub(crate) type Place = [f32; 6];
-
-/// A row of the [`Remainder`].
-pub(crate) type RemainderRow = [f32; 4];
-
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Cloud {
-    /// What is known of each sample that can be used.
-    pub(crate) places: Vec<Place>,
-    pub(crate) samples: Vec<u32>,
-    /// The middle of the workspace, mm of the measuring frame.
-    pub(crate) centre_mm: [f64; 3],
-}
-
-/// What an answer leaves of the deviations, mm, and 1 where the sample is suspected; in the order of the [`Cloud`].
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Remainder {
-    /// One for each sample of the cloud.
-    pub(crate) rows: Vec<RemainderRow>,
-}
-
-impl Cloud {
-    /// That of a session: made when it is first wanted, in the background if possible.
-    pub(crate) fn of(loaded_session: &LoadedSession) -> Arc<Self> {
-        loaded_session
-            .drawn
-            .get_or_make(|| Self::new(loaded_session))
-    }
-
-    /// The usable samples of a session.
-    fn new(loaded_session: &LoadedSession) -> Self {
-        let usable = &loaded_session.overview.usable;
-        let samples: Vec<u32> = spread(usable.len()).map(|k| usable[k]).collect();
-        let [low, high] = loaded_session.overview.measured_mm;
-        let centre_mm = std::array::from_fn(|k| {
-            let middle = 0.5 * (low[k] + high[k]);
-            if middle.is_finite() { middle } else { 0.0 }
-        });
-        let place = |sample: &u32| {
-            let sample = *sample as usize;
-            let at = loaded_session.measured(sample);
-            let before = loaded_session.deviation_before(sample);
-            let mut place = [0.0; 6];
-            for k in 0..3 {
-                place[k] = single(at[k] - centre_mm[k]);
-                place[3 + k] = single(before[k]);
-            }
-            place
-        };
-        Self {
-            places: samples.iter().map(place).collect(),
-            samples,
-            centre_mm,
-        }
-    }
-
-    /// What an answer leaves, of each sample here.
-    pub(crate) fn remainder(&self, after_mm: &[Vec<f64>; 3], suspected: &[bool]) -> Remainder {
-        let row = |sample: &u32| {
-            let sample = *sample as usize;
-            let mark = if suspected[sample] { 1.0 } else { 0.0 };
-            let [x, y, z] = [0, 1, 2].map(|k| single(after_mm[k][sample]));
-            [x, y, z, mark]
-        };
-        Remainder {
-            rows: self.samples.iter().map(row).collect(),
-        }
-    }
-}
-
-/// 0 … count in an order whose every beginning is spread evenly: multiples, modulo the count, of
-/// a step that has no divisor with it and is nearly its golden section.
-fn spread(count: usize) -> impl Iterator<Item = usize> {
-    let common = |mut a: usize, mut b: usize| {
-        while b != 0 {
-            (a, b) = (b, a % b);
-        }
-        a
-    };
-    // 0.618034 of any count that memory holds, without rounding.
-    let mut step = (count / 1_000_000 * 618_034 + count % 1_000_000 * 618_034 / 1_000_000).max(1);
-    while common(step, count) > 1 {
-        step += 1;
-    }
-    let next = move |k: &usize| Some((k + step) % count);
-    std::iter::successors((count > 0).then_some(0), next).take(count)
-}
-
-// The error between the samples: a map of the root mean square deviation over the plane.
-//
-// Samples are averaged by cell, so that a place measured a thousand times counts as much as one
-// measured once, and the cells smoothed by a normalised Gaussian (Knutsson & Westin 1993):
-//
-// ```text
-// m(p) = Σ w(p − c) m(c) / Σ w(p − c),   w(r) = exp(−r² / 2σ²),   opacity = 1 − exp(−2.5 max w)
-// ```
-//
-// over the cells c that hold a sample; the nearest of them decides how far the map reaches, however
-// many there are. σ is half of what lies between neighbouring places, within bounds: neighbours run
-// into one another, and what is farther from all of them than they are apart stays empty. A cell
-// keeps three mean products, |b|², b·a and |a|² of
-// the deviations before and after: the map at any blend t between them is exactly
-// √((1−t)² |b|² + 2t(1−t) b·a + t² |a|²), so that blending needs no new map. Cells follow the
-// nominal robot's extent: a sample that was measured far away cannot stretch the map.
 
 /// Cells along the longer side of what the robot reached.
 const CELLS: f64 = 144.0;
@@ -286,53 +187,6 @@ fn normalised([bb, ba, aa, weight, largest]: [f64; 5]) -> [f32; 4] {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::gui::testing::workbench;
-
-    #[test]
-    fn every_beginning_of_the_order_is_spread_evenly() {
-        for count in [0_usize, 1, 2, 3, 100, 1000, 4097] {
-            let order: Vec<usize> = spread(count).collect();
-            let mut sorted = order.clone();
-            sorted.sort_unstable();
-            assert!(sorted.iter().copied().eq(0..count), "{count}");
-        }
-        // No gap is much wider than the mean one; the step is whole, the golden section is not.
-        for (count, first) in [(100_000, 500), (1_000_008, 6_000), (36_000, 1_000)] {
-            let mut some: Vec<usize> = spread(count).take(first).collect();
-            some.sort_unstable();
-            let widest = some.windows(2).map(|pair| pair[1] - pair[0]).max();
-            assert!(widest <= Some(4 * count / first), "{count} {widest:?}");
-        }
-        // Whatever alternates is met in all its forms.
-        for period in [2, 3, 4, 16] {
-            let mut met: Vec<usize> = spread(1_000_000).take(64).map(|k| k % period).collect();
-            met.sort_unstable();
-            met.dedup();
-            assert_eq!(met.len(), period);
-        }
-    }
-
-    #[test]
-    fn the_cloud_holds_what_the_session_holds() {
-        let workbench = workbench();
-        let loaded_session = workbench.loaded_session();
-        let cloud = Cloud::of(loaded_session);
-        assert_eq!(cloud.places.len(), loaded_session.overview.usable.len());
-        for (place, sample) in cloud.places.iter().zip(&cloud.samples) {
-            let measured = loaded_session.measured(*sample as usize);
-            let before = loaded_session.deviation_before(*sample as usize);
-            for k in 0..3 {
-                let at = f64::from(place[k]) + cloud.centre_mm[k];
-                assert!((at - measured[k]).abs() < 1e-4);
-                assert!((f64::from(place[3 + k]) - before[k]).abs() < 1e-5);
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-mod heat_tests {
     use super::*;
     use crate::gui::testing::{lamp, workbench, workbench_on};
 
