@@ -423,7 +423,10 @@ pub(super) fn read_text(path: &Path) -> Result<String, XmlProblem> {
         (found, readable)
     })?;
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        return Err((text!("a file in {encoding}", encoding = "UTF-16"), text!("UTF-8")));
+        return Err((
+            text!("a file in {encoding}", encoding = "UTF-16"),
+            text!("UTF-8"),
+        ));
     }
     String::from_utf8(bytes).map_err(|error| {
         let head = String::from_utf8_lossy(&error.as_bytes()[..error.as_bytes().len().min(200)])

@@ -14,7 +14,6 @@ use rand_chacha::ChaCha8Rng;
 
 use super::candidate::{Candidate, Writing, anywhere, ranges};
 use super::imagined::{extended, unmeasured, with_candidates};
-use super::line_of_sight;
 use super::measuring_methods::{MeasuringMethod, ways};
 use super::needs::test_load_kg;
 use super::plan::Plan;
@@ -203,7 +202,7 @@ impl Arm {
     fn measurable(&self, mut q: Vec<f64>, way: usize) -> Option<Candidate> {
         self.session.robot.follow(&mut q);
         let brought = self.ways[way].brought(way, &self.session, &self.base, &self.ranges, q);
-        brought.filter(|candidate| line_of_sight::seen(self, candidate))
+        brought.filter(|candidate| self.sees(candidate))
     }
 
     /// How poses are written down whose conditions are varied, or are not.
@@ -220,6 +219,7 @@ impl Arm {
     /// The session with these poses measured too.
     pub(crate) fn with(&self, candidates: &[Candidate], varied: bool) -> Session {
         let (session, writing) = (&self.session, &self.writing(varied));
-        with_candidates(session, &self.base, candidates, &self.ways, writing)
+        let like = |way: usize| self.ways[way].like;
+        with_candidates(session, &self.base, candidates, like, writing)
     }
 }

@@ -132,7 +132,8 @@ impl<'p> CandidatePoses<'p> {
         };
         if problem.observed.is_some() {
             let own = &all.candidates;
-            let mut taken = with_candidates(session, base, own, &all.ways, &all.writing());
+            let like = |way: usize| all.ways[way].like;
+            let mut taken = with_candidates(session, base, own, like, &all.writing());
             let new = session.samples.len()..taken.samples.len();
             taken.samples.select(&new.map(Some).collect::<Vec<_>>());
             all.taken = Some(taken);

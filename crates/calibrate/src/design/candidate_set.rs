@@ -14,9 +14,11 @@ use super::arm::Arm;
 use super::candidate::Candidate;
 use super::covariance::inverse;
 use super::exchange::{Criterion, choose, exchange};
-use super::forecast::{ExpectedError, Forecast, Workspace};
+use super::forecast::Workspace;
 use super::imagined::shown;
 use super::information::Information;
+use super::plan::{ExpectedError, Forecast};
+use super::rows::free;
 use crate::budget;
 use crate::effects::{JointValues, Term};
 use crate::fit::gauge;
@@ -104,13 +106,6 @@ impl Arm {
         }
         self.set(own, Some(&set.model))
     }
-}
-
-/// The coefficients that are not held: the column of each, its term, and which it is there.
-pub(crate) fn free(model: &Model) -> impl Iterator<Item = (usize, &Term, usize)> {
-    let all = model.columns().enumerate();
-    all.filter(|(_, (term, k))| !term.held.contains(*k))
-        .map(|(column, (term, k))| (column, term, k))
 }
 
 /// The inverse variances of the free coefficients beforehand, on a diagonal.

@@ -13,7 +13,6 @@ use rand_chacha::ChaCha8Rng;
 
 use super::arm::Arm;
 use super::candidate::Candidate;
-use super::candidate_set::free;
 use super::covariance::inverse;
 use super::every_effect::every_effect;
 use super::exchange::{Criterion, choose};
@@ -22,6 +21,7 @@ use super::imagined::{SECONDS_PER_POSE, shown};
 use super::information::Information;
 use super::needs::WARMING_C;
 use super::path;
+use super::rows::free;
 use crate::diagnosis::NextPose;
 use crate::effects::{Setting, Term};
 use crate::kinematics::{Joint, JointKind, Range};

@@ -12,31 +12,13 @@
 
 use nalgebra::DMatrix;
 
-use super::candidate_set::free;
-use super::rows::Rows;
+use super::plan::{ExpectedError, Forecast};
+use super::rows::{Rows, free};
 use crate::fit::problem::Problem;
 use crate::fit::ranges::over_the_ranges;
 use crate::model::Model;
 use crate::observations::KINDS;
 use crate::rounding;
-
-/// The expected error of the model over the joint ranges.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ExpectedError {
-    /// Root mean square, mm.
-    pub rms_mm: f64,
-    /// 95th percentile, mm.
-    pub p95_mm: f64,
-}
-
-/// The forecast of poses.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Forecast {
-    /// The error.
-    pub error: ExpectedError,
-    /// The observability index, mm; 0 where a parameter is not shown at all.
-    pub observability: f64,
-}
 
 /// What a model does over the joint ranges.
 pub(crate) struct Workspace {

@@ -3,7 +3,7 @@
 use super::arm::Arm;
 use super::candidate_set::CandidateSet;
 use super::conditions::conditioned;
-use super::forecast::{ExpectedError, Forecast};
+use super::plan::{ExpectedError, Forecast, Geometry};
 use crate::diagnosis::{DiagnoseError, NextPose};
 
 /// The expected error is stated for so many poses.
@@ -12,22 +12,6 @@ const CURVE: [usize; 4] = [20, 30, 50, 100];
 const MOST: usize = 400;
 /// Sets of random poses that a robot's plan is compared with.
 const RANDOM_SETS: usize = 20;
-
-/// What the poses of a plan do for the geometry.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Geometry {
-    /// Parameters that are identified.
-    pub parameters: usize,
-    /// With what was measured so far; of a robot that was not measured with random poses of the same
-    /// number, the mean of several sets.
-    pub before: Forecast,
-    /// With the poses of the plan.
-    pub after: Forecast,
-    /// The expected error with so many poses, those that were measured not counted.
-    pub curve: Vec<(usize, ExpectedError)>,
-    /// The 95th percentile that was asked for, mm, and how many poses reach it.
-    pub enough: Option<(f64, usize)>,
-}
 
 /// Poses that show the geometry best, under conditions that show the effects, and what they do: so many, or as many as
 /// bring the 95th percentile of the expected error below an accuracy.

@@ -10,9 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::candidate::{Candidate, Writing};
-use super::candidate_set::free;
-use super::measuring_methods::MeasuringMethod;
-use super::rows::Rows;
+use super::rows::{Rows, free};
 use crate::diagnosis::NextPose;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::place::MOST;
@@ -83,16 +81,16 @@ pub(crate) fn extended(
     all
 }
 
-/// A session with these candidates measured too, each in its way and written down like this.
+/// A session with these candidates measured too, each like the sample of its way and written down like this.
 pub(crate) fn with_candidates(
     session: &Session,
     model: &Model,
     candidates: &[Candidate],
-    ways: &[MeasuringMethod],
+    like: impl Fn(usize) -> Option<usize>,
     writing: &Writing,
 ) -> Session {
     let poses = candidates.iter().map(|c| writing.pose(c, Text::default()));
-    let like: Vec<_> = candidates.iter().map(|c| ways[c.way].like).collect();
+    let like: Vec<_> = candidates.iter().map(|c| like(c.way)).collect();
     let mut all = session.clone();
     extend(&mut all, model, &poses.collect::<Vec<_>>(), &like);
     all

@@ -25,12 +25,14 @@ struct SightPose {
     faces: Vector3<f64>,
 }
 
-/// Whether the instrument that measures a candidate sees its target.
-pub(super) fn seen(arm: &Arm, candidate: &Candidate) -> bool {
-    arm.ways[candidate.way].from.is_none_or(|from| {
-        let pose = posed(arm, candidate);
-        pose.lit(&from) && arm.cone_rad.is_none_or(|cone| pose.faces(&from, cone))
-    })
+impl Arm {
+    /// Whether the instrument that measures a candidate sees its target.
+    pub(super) fn sees(&self, candidate: &Candidate) -> bool {
+        self.ways[candidate.way].from.is_none_or(|from| {
+            let pose = posed(self, candidate);
+            pose.lit(&from) && self.cone_rad.is_none_or(|cone| pose.faces(&from, cone))
+        })
+    }
 }
 
 /// Where joints and targets are, as the model has them: a point of a joint's axis moves with the joints

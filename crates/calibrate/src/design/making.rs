@@ -29,11 +29,11 @@ use crate::{fewest, rounding};
 
 use super::arm::Arm;
 use super::expected_information::expected;
-use super::geometry::{self, Geometry};
+use super::geometry;
 use super::imagined::{extended, unmeasured, with_noise};
 use super::needs::Untestable;
 use super::pair_separation::separate_two;
-use super::plan::{Plan, Subject, USUAL_SIGMA_MM};
+use super::plan::{Geometry, Plan, Subject, USUAL_SIGMA_MM};
 use super::plan_options::PlanOptions;
 use super::reflectors::reflectors;
 use super::{enabling_poses, first_measurement, next_poses};

@@ -57,12 +57,9 @@ mod rows;
 #[doc(hidden)]
 pub use conditions::approach;
 pub use expected_information::{Alike, ExpectedInformation};
-pub use forecast::{ExpectedError, Forecast};
-pub use geometry::Geometry;
 pub use making::{plan_robot, plan_session};
 pub use needs::{Need, Untestable};
 #[doc(hidden)]
 pub use next_poses::propose;
-pub use pair_separation::Separation;
-pub use plan::{Plan, Subject};
+pub use plan::{ExpectedError, Forecast, Geometry, Plan, Separation, Subject};
 pub use plan_options::PlanOptions;

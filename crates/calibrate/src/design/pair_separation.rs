@@ -6,17 +6,16 @@
 //! minimise aᵀ R a over aᵀ T a = λ,   T given the model, R given the model and the other effect
 //! ```
 
-use super::plan_options::POSES_OF_AN_ARM;
+use super::plan::Separation;
+use super::plan_options::{OnJoint, POSES_OF_AN_ARM};
 use crate::fit::gauge::{COPY, MOST_SEEN};
 use crate::{odds, rounding};
 use nalgebra::{DMatrix, DVector};
 
-use crate::diagnosis::NextPose;
 use crate::diagnosis::evidence::Fit;
 use crate::diagnosis::search::prepare::PreparedSearch;
-use crate::effects::{Effect, Term, called};
+use crate::effects::{Term, called};
 use crate::model::Model;
-use crate::text::Text;
 
 use super::candidate::ranges;
 use super::candidate_poses::CandidatePoses;
@@ -31,26 +30,6 @@ use super::rows::Rows;
 
 /// λ of an effect that is just seen.
 const JUST_SEEN: f64 = 40.0;
-
-/// An effect, and its joint counted from 0.
-pub(crate) type OnJoint = (&'static Effect, usize);
-
-/// Poses that distinguish two effects.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Separation {
-    /// The two: the effect's name, and its joint counted from 0 where it has one.
-    pub between: [(&'static str, Option<usize>); 2],
-    /// Share of each that the other cannot imitate in the samples so far, 0 to 1 (squared).
-    pub left_before: Vec<f64>,
-    /// The same with the poses measured too, 0 to 1.
-    pub left_after: Vec<f64>,
-    /// Whether both are distinguished at the size at which they would just be detected.
-    pub decided: bool,
-    /// Why no pose does it; `None` where poses do.
-    pub impossible: Option<Text>,
-    /// The poses.
-    pub poses: Vec<NextPose>,
-}
 
 /// See the module. At most `most` poses; none where one of the effects cannot be seen by any measurement.
 pub(crate) fn separate_two(

@@ -3,12 +3,11 @@
 //! answer; `making` makes it.
 
 use super::expected_information::ExpectedInformation;
-use super::geometry::Geometry;
 use super::needs::Untestable;
-use super::pair_separation::Separation;
 use crate::diagnosis::NextPose;
 use crate::kinematics::Robot;
 use crate::sessions::Target;
+use crate::text::Text;
 
 /// Noise of the instrument where none is stated, mm: a laser tracker.
 pub(crate) const USUAL_SIGMA_MM: f64 = 0.03;
@@ -83,4 +82,55 @@ impl Plan {
         }
         self.poses.extend(poses);
     }
+}
+
+/// Poses that distinguish two effects.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Separation {
+    /// The two: the effect's name, and its joint counted from 0 where it has one.
+    pub between: [(&'static str, Option<usize>); 2],
+    /// Share of each that the other cannot imitate in the samples so far, 0 to 1 (squared).
+    pub left_before: Vec<f64>,
+    /// The same with the poses measured too, 0 to 1.
+    pub left_after: Vec<f64>,
+    /// Whether both are distinguished at the size at which they would just be detected.
+    pub decided: bool,
+    /// Why no pose does it; `None` where poses do.
+    pub impossible: Option<Text>,
+    /// The poses.
+    pub poses: Vec<NextPose>,
+}
+
+/// What the poses of a plan do for the geometry.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Geometry {
+    /// Parameters that are identified.
+    pub parameters: usize,
+    /// With what was measured so far; of a robot that was not measured with random poses of the same
+    /// number, the mean of several sets.
+    pub before: Forecast,
+    /// With the poses of the plan.
+    pub after: Forecast,
+    /// The expected error with so many poses, those that were measured not counted.
+    pub curve: Vec<(usize, ExpectedError)>,
+    /// The 95th percentile that was asked for, mm, and how many poses reach it.
+    pub enough: Option<(f64, usize)>,
+}
+
+/// The forecast of poses.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Forecast {
+    /// The error.
+    pub error: ExpectedError,
+    /// The observability index, mm; 0 where a parameter is not shown at all.
+    pub observability: f64,
+}
+
+/// The expected error of the model over the joint ranges.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExpectedError {
+    /// Root mean square, mm.
+    pub rms_mm: f64,
+    /// 95th percentile, mm.
+    pub p95_mm: f64,
 }

@@ -6,12 +6,10 @@ use std::f64::consts::PI;
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::document::ranges::SMALLEST_SIGMA;
-use crate::effects::CATALOGUE;
+use crate::effects::{CATALOGUE, Effect};
 use crate::kinematics::Robot;
 use crate::text::Text;
 use crate::units::{LARGEST_LENGTH_MM, LARGEST_NUMBER};
-
-use super::pair_separation::OnJoint;
 
 /// Poses that are proposed in addition to a session, and ways of measuring that are tried, at most.
 pub(super) const PROPOSED: usize = 24;
@@ -24,6 +22,9 @@ pub(crate) const MOST_POSES: usize = 2000;
 
 /// Joints of a robot for which poses are planned: the work grows with their square and more.
 pub(crate) const MOST_JOINTS: usize = 30;
+
+/// An effect, and its joint counted from 0.
+pub(crate) type OnJoint = (&'static Effect, usize);
 
 /// What the plan is to do.
 #[derive(Debug, Clone, Default)]

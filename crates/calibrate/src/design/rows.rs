@@ -9,9 +9,16 @@
 
 use nalgebra::{DMatrix, DMatrixView, DVector};
 
-use crate::effects::Inputs;
+use crate::effects::{Inputs, Term};
 use crate::model::Model;
 use crate::observations::Layer;
+
+/// The coefficients that are not held: the column of each, its term, and which it is there.
+pub(crate) fn free(model: &Model) -> impl Iterator<Item = (usize, &Term, usize)> {
+    let all = model.columns().enumerate();
+    all.filter(|(_, (term, k))| !term.held.contains(*k))
+        .map(|(column, (term, k))| (column, term, k))
+}
 
 /// Columns and differences of a model in the rows of all candidates.
 #[derive(Debug, Clone)]

@@ -1,5 +1,6 @@
 //! The columns of a foreign file once they are read: every format ends here.
 
+use crate::diagnostic::Place;
 use crate::importers::role::Role;
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
@@ -9,15 +10,12 @@ use nalgebra::{Point3, Quaternion};
 /// The coordinates of a measured point.
 pub(crate) const COORDINATES: [Quantity; 3] = [Quantity::X, Quantity::Y, Quantity::Z];
 
-/// The axis that a letter names.
-pub(crate) fn axis_of(letter: &str) -> Option<usize> {
-    ["x", "y", "z"].iter().position(|axis| *axis == letter)
-}
-
-/// The part of a quaternion that a letter names.
-pub(crate) fn part_of(letter: &str) -> Option<usize> {
-    let parts = ["w", "x", "y", "z"];
-    parts.iter().position(|part| *part == letter)
+/// The place in the column with this heading, if it has one.
+pub(crate) fn below(place: Place, heading: &str) -> Place {
+    match heading {
+        "" => place,
+        heading => place.in_field(heading),
+    }
 }
 
 #[derive(Debug, Clone)]

@@ -6,9 +6,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::importers::columns::{COORDINATES, axis_of, part_of};
+use crate::importers::columns::COORDINATES;
 use crate::importers::headings::{Words, is_among, words_and_unit};
 use crate::importers::role::{Proposal, Role, has};
+use crate::importers::turns::{axis_of, part_of};
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
 

@@ -6,7 +6,8 @@
 //! a session.
 
 use super::role::{Role, of_quantity};
-use crate::importers::columns::{COORDINATES, axis_of, part_of};
+use crate::importers::columns::COORDINATES;
+use crate::importers::turns::{axis_of, part_of};
 use crate::importers::units::{self, Word};
 use crate::sessions::columns::{Heading, Quantity, Unit};
 

@@ -4,7 +4,7 @@
 use super::settings::ReadContext;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::number::{NotANumber, quoted};
-use crate::importers::columns::{COORDINATES, Column, Columns};
+use crate::importers::columns::{COORDINATES, Column, Columns, below};
 use crate::importers::matching::listed_names;
 use crate::importers::options::{PLANE, SOCKET};
 use crate::importers::role::{Role, has};
@@ -452,14 +452,6 @@ fn lengths_in_words(roles: &[Role]) -> Text {
 
 fn heading_at(headings: &[String], index: usize) -> &str {
     headings.get(index).map_or("", String::as_str)
-}
-
-/// The place in the column with this heading, if it has one.
-pub(crate) fn below(place: Place, heading: &str) -> Place {
-    match heading {
-        "" => place,
-        heading => place.in_field(heading),
-    }
 }
 
 /// Distinct names of points, in the order in which they come.

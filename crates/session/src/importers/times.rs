@@ -4,7 +4,7 @@
 //! 1970, and of a spreadsheet's days, does the size tell the unit; that is proposed.
 
 use super::clock_text::{self, Clock};
-use super::reader::below;
+use super::columns::below;
 use super::role::Role;
 use super::settings::{About, ReadContext};
 use super::units::TimeUnit;

@@ -1,7 +1,17 @@
 //! The parts of an orientation in three angles or a rotation vector, and the words for them.
 
-use crate::importers::columns::axis_of;
 use crate::sessions::columns::Unit;
+
+/// The axis that a letter names.
+pub(crate) fn axis_of(letter: &str) -> Option<usize> {
+    ["x", "y", "z"].iter().position(|axis| *axis == letter)
+}
+
+/// The part of a quaternion that a letter names.
+pub(crate) fn part_of(letter: &str) -> Option<usize> {
+    let parts = ["w", "x", "y", "z"];
+    parts.iter().position(|part| *part == letter)
+}
 
 /// Which of the three numbers of an orientation a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -20,16 +20,10 @@ use crate::tables::foreign;
 use crate::text::Text;
 
 use messages::Type;
-use topics::{Topic, Topics};
+use topics::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer, Topic, Topics};
 
 const TOPIC_JOINTS: &str = "topic-joints";
 const TOPIC_MEASURED: &str = "topic-measured";
-const FRAME_CHILD: &str = "frame-child";
-const JOINT_NAMES: &str = "joint-names";
-
-/// Something is asked or wrong, and stands in the inspection.
-struct NeedsAnswer;
-
 pub(crate) static IMPORTER: Importer = Importer {
     id: "mcap",
     title: phrase!("an MCAP recording: joint states and measured poses"),

@@ -14,8 +14,7 @@ use crate::sessions::columns::{Quantity, Unit};
 use crate::tables::Names;
 
 use super::messages::Measured;
-use super::topics::Topic;
-use super::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer};
+use super::topics::{FRAME_CHILD, JOINT_NAMES, NeedsAnswer, Topic};
 
 /// Joint states that are nearer in time are averaged: encoders' noise over a millisecond looks like
 /// motion.

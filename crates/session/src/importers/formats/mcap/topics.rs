@@ -6,6 +6,12 @@ use super::container::{Channel, Message};
 use super::messages::{self, Content, Measured, Type};
 use crate::text::Text;
 
+pub(super) const FRAME_CHILD: &str = "frame-child";
+pub(super) const JOINT_NAMES: &str = "joint-names";
+
+/// Something is asked or wrong, and stands in the inspection.
+pub(super) struct NeedsAnswer;
+
 /// Joints that a topic may name.
 const MOST_JOINTS: usize = 1024;
 
