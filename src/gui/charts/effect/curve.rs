@@ -12,10 +12,10 @@
 
 use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues, Over as Follows, Term};
+use crate::gui::core::answer::{Search, terms};
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::overview::stride;
 use crate::gui::core::quantity::{Over, Variable};
-use crate::gui::core::answer::{Search, terms};
 use crate::lanes::minus;
 use crate::model::Model;
 
@@ -177,11 +177,12 @@ impl EffectCurve {
             loaded_session.overview.usable.iter().map(spot).collect();
         spots.retain(|s| s.x.is_finite() && s.residual_mm.is_finite());
         spots.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.sample.cmp(&b.sample)));
-        let sides: &[f64] = if term.effect.about().over.has_sides() && over.variable != Variable::Speed {
-            &[-1.0, 1.0]
-        } else {
-            &[0.0]
-        };
+        let sides: &[f64] =
+            if term.effect.about().over.has_sides() && over.variable != Variable::Speed {
+                &[-1.0, 1.0]
+            } else {
+                &[0.0]
+            };
         let ends = spots.first().zip(spots.last()).map(|(a, b)| [a.x, b.x]);
         let line = |side: &f64| {
             let [from, to] = ends?;

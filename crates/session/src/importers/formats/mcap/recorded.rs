@@ -265,7 +265,9 @@ pub(super) fn points(
         let turns = turns.into_iter().map(Quaternion::from);
         columns.put_orientations(&turns.collect::<Vec<_>>());
     }
-    let times = list.iter().map(|m| m.header.time_ns.saturating_sub(start_ns));
+    let times = list
+        .iter()
+        .map(|m| m.header.time_ns.saturating_sub(start_ns));
     let times = times.map(|since_ns| 1e-9 * since_ns as f64).collect();
     columns.put(Column::made(Quantity::Time, Unit::Fixed, times));
     if frames.len() > 1 {
