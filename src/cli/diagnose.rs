@@ -81,7 +81,6 @@ impl Diagnose {
                 joint_values: self.joint_values.into(),
                 keep_when_stopped: true,
                 without_unnamed: self.no_unnamed,
-                names_one_by_one: false,
                 threads: None,
             },
             start: self.start,

@@ -9,6 +9,8 @@ mod compensating;
 mod controllers;
 #[path = "../support/exporting.rs"]
 mod exporting;
+#[path = "../support/gantry.rs"]
+mod gantry;
 #[path = "../support/hidden_robot.rs"]
 mod hidden_robot;
 #[path = "../support/program.rs"]

@@ -29,6 +29,7 @@ fn files_that_say(words: &[&str]) -> Vec<String> {
 fn other_programs_are_started_by_the_window_alone_to_open_what_was_saved() {
     let starts = files_that_say(&[
         "process::Command",
+        "process::{Command",
         "Command::new(\"",
         "libc::",
         "extern \"C\"",

@@ -1,5 +1,6 @@
 //! Finding the gap in the window, without a display: search, read, add, switch off and on, undo,
 //! and save the measuring list.
+use crate::gantry::{NOISE_MM, gantry, turns};
 use crate::rig;
 
 use std::path::{Path, PathBuf};
@@ -112,6 +113,30 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
     press(&mut window, "5 Export");
     window.get_by_label("correction table as a curve");
     assert!(says(&window, "dashed: approach −"));
+}
+
+/// What predicts without a name belongs to the model of several joints as well: the main button adds it.
+#[test]
+fn what_the_guide_of_a_gantry_does_is_added_switched_off_and_undone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("gantry.json");
+    std::fs::write(&path, gantry(1, 200, 0.0, turns)).expect("it can be written");
+    let mut window = window_of([1280.0, 800.0], Some(path), Runner::AtOnce);
+    press(&mut window, "3 Diagnose");
+    press(&mut window, "Run diagnosis");
+    assert!(says(&window, "straightness"));
+    let floor_mm = 3.0_f64.sqrt() * NOISE_MM;
+    let identified = gap_mm(&window);
+    assert!(identified > 1.8 * floor_mm, "{identified}");
+    assert!(!says(&window, "Continue to export"));
+    press(&mut window, "Add the predictive part to the model");
+    let predicted = gap_mm(&window);
+    assert!(predicted < 1.05 * floor_mm, "{predicted}");
+    assert!(says(&window, "Continue to export"));
+    press(&mut window, "in the model");
+    assert!((gap_mm(&window) - identified).abs() < 1e-3);
+    press(&mut window, "Undo switch effect off");
+    assert!((gap_mm(&window) - predicted).abs() < 1e-3);
 }
 
 #[test]

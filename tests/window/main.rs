@@ -5,6 +5,8 @@
 
 #[path = "../support/cases.rs"]
 mod cases;
+#[path = "../support/gantry.rs"]
+mod gantry;
 #[path = "../support/rig.rs"]
 mod rig;
 #[path = "../support/touring.rs"]

@@ -286,14 +286,15 @@ impl RequestedSearch {
     /// The search, where these terms are all that it found.
     fn all_of(search: &Arc<Search>, with: &[Term]) -> Option<Self> {
         let diagnosis = search.answer.as_ref().ok()?;
-        let mut terms: Vec<Term> = terms(diagnosis).into_iter().flatten().collect();
         let same = |terms: &[Term]| {
             terms.len() == with.len() && terms.iter().all(|term| with.contains(term))
         };
+        let found = diagnosis.found.iter();
+        let names: Vec<Term> = found.filter_map(|f| term_of(diagnosis, f)).collect();
+        let all = same(&[names.clone(), diagnosis.unnamed_terms()].concat());
+        // Of several joints what has no name was fitted together with the geometry: without it the fit is another.
         let corrected = diagnosis.correction().is_some();
-        let all = same(&terms);
-        let all_names = corrected && terms.pop().is_some() && same(&terms);
-        (all || all_names).then(|| Self {
+        (all || corrected && same(&names)).then(|| Self {
             search: Arc::clone(search),
             corrected: corrected && all,
         })
@@ -383,7 +384,7 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
 fn of_search(session: &Session, diagnosis: &Diagnosis) -> Identified {
     let calibration = diagnosis.calibration(session);
     let mut identification = diagnosis.identification.clone();
-    if diagnosis.correction().is_some() {
+    if !diagnosis.unnamed_terms().is_empty() {
         // The correction was made beside the fit: only the error that remains is another.
         let problem = Problem::new(session, JointValues::Commanded);
         let left = deviations(&problem, &calibration.model).length_mm;
@@ -472,7 +473,7 @@ impl Search {
     pub(crate) fn of(loaded_session: Arc<LoadedSession>, watch: &Watch) -> Self {
         let answer = diagnose(
             &loaded_session.session,
-            &options(),
+            &Options::default(),
             &progress_callback(watch),
         );
         let answer = answer.map_err(|error| match error {
@@ -483,14 +484,6 @@ impl Search {
             loaded_session,
             answer,
         }
-    }
-}
-
-/// How the window searches.
-pub(crate) fn options() -> Options {
-    Options {
-        names_one_by_one: true,
-        ..Options::default()
     }
 }
 

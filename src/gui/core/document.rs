@@ -312,13 +312,15 @@ impl Document {
         self.exactly_with(added, phrase!("add to model"))
     }
 
-    /// Switches an added effect (counted in the order in which they were added) on or off.
-    pub(crate) fn switch(&mut self, index: usize, on: bool) -> Changed {
+    /// Switches added effects (counted in the order in which they were added) on or off.
+    pub(crate) fn switch(&mut self, all: &[usize], on: bool) -> Changed {
         let mut added = self.added.to_vec();
-        added
-            .get_mut(index)
-            .ok_or(say!("it is not there any more"))?
-            .on = on;
+        for index in all {
+            added
+                .get_mut(*index)
+                .ok_or(say!("it is not there any more"))?
+                .on = on;
+        }
         let what = if on {
             phrase!("switch effect on")
         } else {

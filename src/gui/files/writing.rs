@@ -6,6 +6,7 @@ use std::sync::Arc;
 use egui::{Color32, ColorImage};
 
 use crate::atomic::{StagedFile, WriteError, commit_both, refuse_to_replace_inputs};
+use crate::diagnosis::Options;
 use crate::export::Document;
 use crate::gui::cache::{IdentifiedAnswer, PreviewRequest};
 use crate::gui::core::answer::{self, Search};
@@ -296,7 +297,7 @@ pub(crate) fn report(wanted: &ReportRequest, path: &Path, watch: &Watch) -> Made
         Source::Model(outcome) => pipeline::report_of_model(&*outcome.handed_out()?, &extras),
         Source::Session(document, searched, in_use) => {
             let session = document.session_to_save();
-            let options = answer::options();
+            let options = Options::default();
             let there = searched.as_ref().and_then(|s| s.answer.as_ref().ok());
             let made;
             let found = if let Some(found) = there {

@@ -316,35 +316,46 @@ fn in_order(mends: Vec<SessionCorrection>) -> Vec<SessionCorrection> {
 
 /// What the window can do about what a search could not name.
 pub(super) fn unexplained(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
-    let Some(found) = d.correction() else {
-        return;
-    };
+    let own = d.unnamed_terms();
     // It is what the names leave: without them it would correct something else.
-    let mut terms = workbench.not_added();
-    terms.push(found.term.clone());
-    let says = [
-        say!("Add smooth correction"),
-        say!("smooth correction in the model"),
-    ];
-    in_the_model(ui, workbench, terms, says);
-    curve_link(ui, workbench, d.found.len());
+    let names = workbench.not_added();
+    if d.correction().is_some() {
+        let says = [
+            say!("Add smooth correction"),
+            say!("smooth correction in the model"),
+        ];
+        in_the_model(ui, workbench, names, own, says);
+        curve_link(ui, workbench, d.found.len());
+    } else {
+        in_the_model(
+            ui,
+            workbench,
+            names,
+            own,
+            [&capital(say!("add to model")), say!("in the model")],
+        );
+    }
 }
 
-/// Adds terms to the model, or switches the last of them on and off there.
+/// Adds terms to the model, with others that belong to them; or switches them on and off there.
 pub(super) fn in_the_model(
     ui: &mut Ui,
     workbench: &Workbench,
-    terms: Vec<Term>,
+    others: Vec<Term>,
+    own: Vec<Term>,
     [add, there]: [&str; 2],
 ) {
-    let Some(term) = terms.last() else { return };
-    let mut added = workbench.document().added.iter();
-    if let Some(index) = added.position(|a| a.term.same_column(term)) {
-        let mut on = workbench.document().added[index].on;
+    let added = workbench.document().added.iter().enumerate();
+    let is_own = |term: &Term| own.iter().any(|own| own.same_column(term));
+    let added: Vec<_> = added.filter(|(_, added)| is_own(&added.term)).collect();
+    if let [(_, first), ..] = added[..] {
+        let mut on = first.on;
+        let all: Vec<usize> = added.iter().map(|(index, _)| *index).collect();
         if ui.checkbox(&mut on, there).changed() {
-            workbench.edits(move |document| document.switch(index, on));
+            workbench.edits(move |document| document.switch(&all, on));
         }
-    } else {
+    } else if !own.is_empty() {
+        let terms = [others, own].concat();
         ui.secondary(add)
             .does(workbench, move |bench| bench.edit(|d| d.add(&terms)));
     }

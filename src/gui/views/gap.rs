@@ -106,7 +106,7 @@ pub(super) fn switches(ui: &mut Ui, workbench: &Workbench) {
         let switch = Checkbox::new(&mut on, &name);
         let name = say!("use {effect}", effect = within(&name));
         if ui.named(name, switch).changed() {
-            workbench.edits(move |document| document.switch(index, on));
+            workbench.edits(move |document| document.switch(&[index], on));
         }
     }
 }
@@ -119,13 +119,18 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
         let stop = ui.add_enabled_ui(meant, stop).inner;
         return stop.does(workbench, Workbench::stop_search);
     }
-    let missing = workbench.not_added();
+    let names = workbench.not_added();
+    let missing = [names.clone(), workbench.predicting_not_added()].concat();
     if workbench.diagnosis().is_none() {
         actions::SEARCH.next(ui, workbench);
     } else if !missing.is_empty() {
-        // The effect that was found comes before the table that would leave it uncorrected.
-        let add = ui.primary(&blocks::add_all(missing.len()));
-        add.does(workbench, move |bench| bench.edit(|d| d.add(&missing)));
+        // What was found comes before the table that would leave it uncorrected.
+        let says = match names.len() {
+            0 => say!("Add the predictive part to the model").to_owned(),
+            count => blocks::add_all(count),
+        };
+        ui.primary(&says)
+            .does(workbench, move |bench| bench.edit(|d| d.add(&missing)));
     } else {
         actions::go_on(ui, workbench, Step::Export);
     }
@@ -364,7 +369,7 @@ fn effect_card(
     // The button that stands out is the one at the foot of the step, which adds all of them.
     let term = term_of(d, &d.found[index]).into_iter().collect();
     let says = [&capital(say!("add to model")), say!("in the model")];
-    blocks::in_the_model(ui, workbench, term, says);
+    blocks::in_the_model(ui, workbench, Vec::new(), term, says);
     ui.push_id(index, |ui| {
         ui.folded(say!("More"), |ui| blocks::show(ui, more));
     });

@@ -192,12 +192,21 @@ impl Workbench {
         let Some(diagnosis) = self.diagnosis() else {
             return Vec::new();
         };
-        let there = |term: &Term| {
-            let mut added = self.document().added.iter();
-            added.any(|a| a.term.same_column(term))
-        };
         let found = diagnosis.found.iter().filter_map(|f| term_of(diagnosis, f));
-        found.filter(|term| !there(term)).collect()
+        found.filter(|term| !self.is_added(term)).collect()
+    }
+
+    /// What predicts without a name, of several joints, and is not in the model.
+    pub(crate) fn predicting_not_added(&self) -> Vec<Term> {
+        let of_arm = self.diagnosis().filter(|d| d.correction().is_none());
+        let mut all = of_arm.map(Diagnosis::unnamed_terms).unwrap_or_default();
+        all.retain(|term| !self.is_added(term));
+        all
+    }
+
+    fn is_added(&self, term: &Term) -> bool {
+        let mut added = self.document().added.iter();
+        added.any(|a| a.term.same_column(term))
     }
 
     /// A search begins where the exact identification ends.

@@ -253,7 +253,7 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
         31 | 32 => deed(
             "Switch",
             (random.random_range(0..3), random.random()),
-            |bench, it| bench.edit(|d| d.switch(it.0, it.1)),
+            |bench, it| bench.edit(|d| d.switch(&[it.0], it.1)),
         ),
         33 | 34 => deed(
             "IdentifyBy",

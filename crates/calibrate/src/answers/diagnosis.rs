@@ -272,6 +272,15 @@ impl Diagnosis {
         self.unnamed.as_ref()?.curve.as_ref()
     }
 
+    /// The terms of the model that predict without a name.
+    pub fn unnamed_terms(&self) -> Vec<Term> {
+        if let Some(correction) = self.correction() {
+            return vec![correction.term.clone()];
+        }
+        let all = self.model.terms().iter();
+        all.filter(|term| term.rest().is_some()).cloned().collect()
+    }
+
     /// The answer without what repeats over the only joint and has no name.
     #[must_use]
     pub fn uncorrected(mut self) -> Self {

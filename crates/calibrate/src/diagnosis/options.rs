@@ -23,9 +23,6 @@ pub struct Options {
     pub keep_when_stopped: bool,
     /// Whether the model holds names and geometry only, and nothing that predicts without a name.
     pub without_unnamed: bool,
-    /// Whether names are added to a model one by one, as in the window: what predicts without a name and is a part of
-    /// a whole model (of several joints) stays out of it.
-    pub names_one_by_one: bool,
     /// On how many threads independent parts of a search are done; `None`: on two where the machine has them. The
     /// answer is the same to the last bit.
     pub threads: Option<usize>,

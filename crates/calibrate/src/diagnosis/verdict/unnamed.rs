@@ -22,7 +22,7 @@ pub(super) fn with_rest<'a>(
 ) -> Option<(Values<'a>, Figures, Unnamed)> {
     let arm = base_model::is_arm(values.problem.session);
     let options = prepared.options();
-    if options.without_unnamed || options.names_one_by_one || !arm {
+    if options.without_unnamed || !arm {
         return None;
     }
     let mut now = figures.clone();
