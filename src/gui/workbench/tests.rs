@@ -76,7 +76,7 @@ fn all_that_a_search_found_is_one_model_to_the_last_bit_wherever_it_goes() {
     assert!((gap - found.gap.end_mm).abs() < 1e-9, "{gap}");
     // A part of it is another model; all of it is the same one again.
     done(&mut workbench, |bench| {
-        bench.edit(|d| d.switch(&[0], false))
+        bench.edit(|d| d.switch(&[0], false));
     });
     let part = &workbench.answer().expect("identified").calibration;
     assert_ne!(part.model, all.model);
