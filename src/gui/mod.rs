@@ -49,6 +49,7 @@ mod core {
     pub(crate) mod quantity;
     pub(crate) mod regions;
     pub(crate) mod robot_table;
+    pub(crate) mod search;
     pub(crate) mod setup;
     pub(crate) mod simulate;
     pub(crate) mod skeleton;

@@ -7,9 +7,10 @@ use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
 use crate::gui::cache::{ExportPreview, IdentifiedAnswer};
-use crate::gui::core::answer::{Answer, Search};
+use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
+use crate::gui::core::search::Search;
 use crate::gui::help::Word;
 use crate::gui::view::{Plane, Step};
 use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Lengths};

@@ -6,7 +6,7 @@ use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
     of_noise,
 };
-use crate::gui::core::answer::terms;
+use crate::gui::core::search::terms;
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::help;
 use crate::language;

@@ -9,10 +9,10 @@ use crate::atomic::{StagedFile, WriteError, commit_both, refuse_to_replace_input
 use crate::diagnosis::Options;
 use crate::export::Document;
 use crate::gui::cache::{IdentifiedAnswer, PreviewRequest};
-use crate::gui::core::answer::{self, Search};
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::{FileChange, Fingerprint, name_of};
 use crate::gui::core::document;
+use crate::gui::core::search::{Search, progress_callback};
 use crate::gui::file_state::Stated;
 use crate::gui::files::system::{advice, cancelled, ending};
 use crate::gui::jobs::Watch;
@@ -305,7 +305,7 @@ pub(crate) fn report(wanted: &ReportRequest, path: &Path, watch: &Watch) -> Made
                 found
             } else {
                 details.push(say!("The diagnosis was run for it").to_owned());
-                made = pipeline::diagnose(&session, &options, &answer::progress_callback(watch))
+                made = pipeline::diagnose(&session, &options, &progress_callback(watch))
                     .map_err(|e| spoken(e.describe()))?;
                 &made
             };

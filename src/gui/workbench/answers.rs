@@ -15,9 +15,10 @@ use crate::gui::cache::{
 };
 use crate::gui::charts::Scene;
 use crate::gui::charts::effect::sketches;
-use crate::gui::core::answer::{Answer, LoadedModel, Question, Search, term_of};
+use crate::gui::core::answer::{Answer, LoadedModel, Question};
 use crate::gui::core::document::Method;
 use crate::gui::core::overview::{FEW, measuring_from_base};
+use crate::gui::core::search::{Search, term_of};
 use crate::gui::jobs::{Kind, Slot, Watch};
 use crate::gui::view::{Facing, Message, Sorting, Step};
 use crate::gui::workbench::{Derived, Workbench};

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::core::answer::{Question, Search};
+use crate::gui::core::answer::Question;
 use crate::gui::core::document::ExportChoice;
 use crate::gui::core::loaded_session::LoadedSession;
+use crate::gui::core::search::Search;
 use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Kind, Running};
 use crate::gui::view::{Message, What};

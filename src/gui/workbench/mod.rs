@@ -34,13 +34,14 @@ use crate::gui::cache::{
 };
 use crate::gui::charts::effect::Sketches;
 use crate::gui::charts::{ChartPlaceholder, Scene, Shown};
-use crate::gui::core::answer::{Question, Search};
+use crate::gui::core::answer::Question;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::Fingerprint;
 use crate::gui::core::document::{Changed, Document, ExportChoice, Method};
 use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::regions::Counts;
+use crate::gui::core::search::Search;
 use crate::gui::core::simulate::Form;
 use crate::gui::file_state::recovery::{LeftBehind, RecoveryFile};
 use crate::gui::file_state::{Settings, Stated};

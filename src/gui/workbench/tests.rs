@@ -12,9 +12,9 @@ use crate::gui::core::regions::boundaries;
 
 use crate::export::EXPORTERS;
 use crate::fit::Estimate;
-use crate::gui::core::answer::terms;
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
+use crate::gui::core::search::terms;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::testing::workbench;

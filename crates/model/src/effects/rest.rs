@@ -18,9 +18,9 @@ const FADE: f64 = 0.25;
 /// Joints whose parts sag: the joint and two behind it; two moments each.
 pub const UNIT_SAGS: usize = 6;
 
-/// How a link is moved, in order: along the joint's motion, along its radius, along its axis (the directions of a curve),
-/// and turned about these. Only what slides is turned so: what a guide that is not straight does to its carriage (ISO
-/// 230-1: straightness, roll, pitch, yaw).
+/// How a link is moved, in order: along the joint's motion, along its radius, along its axis (the directions of a curve);
+/// turned, before that, about its motion's direction, its radius and what is perpendicular to both (what a guide that is
+/// not straight does to its carriage, ISO 230-1: roll, pitch, yaw).
 pub const MOVES: usize = 2 * DIRECTIONS;
 
 /// The variables of a correction in addition to the joints' values, see [`Along::conditions`].

@@ -73,9 +73,9 @@ fn act(me: &Placed, block: &mut Block) {
     displaced(me, block, &values, &slopes);
 }
 
-/// Moves the points of a joint's link by each of the [`MOVES`], and the derivatives with it; `slopes` are the derivatives
-/// of the moves by the commands of some joints, taken to the first order of the turns (their squares are some 10⁻⁸). A
-/// joint that turns is not turned about anything else.
+/// Moves the points of a joint's link by each of the [`MOVES`], the turns first, and the derivatives with it; `slopes` are
+/// the derivatives of the moves by the commands of some joints, taken to the first order of the turns (their squares are
+/// some 10⁻⁸).
 pub(super) fn displaced(
     me: &Placed,
     block: &mut Block,
@@ -85,56 +85,57 @@ pub(super) fn displaced(
     let (out, along) = across(&me.frame);
     let origin = me.frame.origin_mm;
     let kind = block.robot.joints[me.joint].kind;
-    let directions = [along, out, cross(along, out)];
-    let sum = |by: &[f64]| {
-        let each = directions.iter().zip(by);
-        each.fold([0.0; 3], |sum, (direction, by)| {
-            add_scaled(sum, *direction, *by)
-        })
+    let aside = cross(along, out);
+    let third = match kind {
+        JointKind::Revolute => along,
+        JointKind::Prismatic => aside,
     };
+    let shifted = |x, radial, axial| add_scaled(add_scaled(x, out, radial), third, axial);
+    let vector =
+        |[a, b, c]: [f64; 3]| add_scaled(add_scaled(along.map(|v| v * a), out, b), aside, c);
     block.transform(me, |x, at| {
-        let [motion, radial, axial, ..] = values[at.lane];
+        let [motion, radial, axial, by @ ..] = values[at.lane];
+        let by = vector(by);
+        let angle = dot(by, by).sqrt();
+        let (sin, cos) = angle.sin_cos();
+        let axis = by.map(|v| v / angle.max(f64::MIN_POSITIVE));
+        let tilted = |v: [f64; 3]| turned(v, axis, sin, cos);
+        // What is not turned stays as it is to the last bit.
+        let x = if angle > 0.0 {
+            add_scaled(tilted(minus(x, origin)), origin, 1.0)
+        } else {
+            x
+        };
+        let moved = shifted(x, radial, axial);
         match kind {
             JointKind::Revolute => {
-                let moved = add_scaled(add_scaled(x, out, radial), along, axial);
                 let (sin, cos) = motion.sin_cos();
                 let about = |v: [f64; 3]| turned(v, along, sin, cos);
                 let to = add_scaled(about(minus(moved, origin)), origin, 1.0);
-                (to, jacobian(about), [])
+                (to, jacobian(|v| about(tilted(v))), [])
             }
-            JointKind::Prismatic => {
-                let by = sum(&values[at.lane][DIRECTIONS..]);
-                let angle = dot(by, by).sqrt();
-                let (sin, cos) = angle.sin_cos();
-                let axis = by.map(|v| v / angle.max(f64::MIN_POSITIVE));
-                let about = |v: [f64; 3]| turned(v, axis, sin, cos);
-                let x = if angle > 0.0 {
-                    add_scaled(about(minus(x, origin)), origin, 1.0)
-                } else {
-                    x
-                };
-                let moved = add_scaled(add_scaled(x, out, radial), cross(along, out), axial);
-                (add_scaled(moved, along, motion), jacobian(about), [])
-            }
+            JointKind::Prismatic => (add_scaled(moved, along, motion), jacobian(tilted), []),
         }
     });
     for (of, slope) in slopes {
         block.shift_by_command_of(me, *of, |x, at| {
-            let [motion, ..] = values[at.lane];
-            let [turn, radial, axial, ..] = slope[at.lane];
+            let [motion, radial, axial, ..] = values[at.lane];
+            let [motion_slope, radial_slope, axial_slope, by @ ..] = slope[at.lane];
+            let (sin, cos) = motion.sin_cos();
+            let arm = minus(x, origin);
+            let unmoved = match kind {
+                JointKind::Revolute => turned(arm, along, -sin, cos),
+                JointKind::Prismatic => add_scaled(arm, along, -motion),
+            };
+            let turn = cross(vector(by), shifted(unmoved, -radial, -axial));
+            let shift = shifted(turn, radial_slope, axial_slope);
             match kind {
-                JointKind::Revolute => {
-                    let (sin, cos) = motion.sin_cos();
-                    let shift = add_scaled(out.map(|v| v * radial), along, axial);
-                    let shift = turned(shift, along, sin, cos);
-                    add_scaled(shift, cross(along, minus(x, origin)), turn)
-                }
-                JointKind::Prismatic => {
-                    let shift = sum(&slope[at.lane][..DIRECTIONS]);
-                    let turned = minus(minus(x, origin), sum(&values[at.lane][..DIRECTIONS]));
-                    let by = cross(sum(&slope[at.lane][DIRECTIONS..]), turned);
-                    add_scaled(shift, by, 1.0)
-                }
+                JointKind::Revolute => add_scaled(
+                    turned(shift, along, sin, cos),
+                    cross(along, arm),
+                    motion_slope,
+                ),
+                JointKind::Prismatic => add_scaled(shift, along, motion_slope),
             }
         });
     }

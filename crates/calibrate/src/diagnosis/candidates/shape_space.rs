@@ -56,10 +56,14 @@ impl ShapeSpace {
         found.map(|(_, direction)| direction)
     }
 
+    /// Whether it is of a robot with a single joint.
+    pub(crate) fn is_of_one_joint(&self) -> bool {
+        self.survey.joints.len() == 1
+    }
+
     /// Along the motion of the first joint and, of a single one, across it.
     fn body(&self) -> impl Iterator<Item = &DVector<f64>> {
-        let single = self.survey.joints.len() == 1;
-        let across = self.across.iter().filter(move |_| single);
+        let across = self.across.iter().filter(|_| self.is_of_one_joint());
         let across = across.map(|(_, direction)| direction);
         self.tangential.iter().take(1).chain(across)
     }

@@ -29,7 +29,7 @@ pub(crate) fn shapes(
     }
     for joint in 0..survey.joints.len() {
         if survey.joints[joint].values >= fewest::TO_JUDGE {
-            over_angle(space, survey, joint, missing.gear, &mut all);
+            over_angle(space, joint, missing.gear, &mut all);
         }
     }
     if space.values(Variable::Time).is_some() {
@@ -39,13 +39,7 @@ pub(crate) fn shapes(
     all
 }
 
-fn over_angle(
-    space: &ShapeSpace,
-    survey: &Survey,
-    joint: usize,
-    waves: bool,
-    all: &mut Vec<Shape>,
-) {
+fn over_angle(space: &ShapeSpace, joint: usize, waves: bool, all: &mut Vec<Shape>) {
     let variable = Variable::Joint(joint);
     let (low, high) = space.range(variable);
     let span = high - low;
@@ -110,7 +104,8 @@ fn over_angle(
         if matches!(direction, Direction::Guide(..)) {
             // Nothing turns: a guide is bent.
             smooth.push((direction, Profile::Square));
-            if survey.joints.len() > 1 {
+            // Of several joints, which show turns too, in more than one bend: two cycles of the travel, as of a turn.
+            if !space.is_of_one_joint() {
                 let half_waves = |k: u32| Profile::Periodic {
                     cycles: step * f64::from(k),
                     harmonics: 1,

@@ -26,7 +26,9 @@ const NEIGHBOURS: usize = 2;
 /// Harmonics across a joint's axis.
 const ACROSS: usize = 3;
 /// The half-waves of what a guide does reach beyond its travel by this factor (Fourier extension; Boyd 2002): those of
-/// the travel itself are level at its ends, where a guide that sags between its supports is steepest.
+/// the travel itself are level at its ends, where a guide that sags between its supports is steepest. Measured
+/// (`tests/reference/guides.py --count 4 --seed 3`, error over the noise, without → with it): gantry of 60 poses, bow
+/// 1.32 → 1.22; of 200, bow and turns 1.14 → 1.09; rail of 60 1.28 → 1.23; nothing hidden equal.
 const BEYOND: f64 = 1.5;
 
 /// The kinds of families.
