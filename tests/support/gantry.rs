@@ -1,4 +1,4 @@
-//! A session of a gantry of closed form: three slides, and a tool 180 mm off the axes. Its first guide is not straight.
+//! A session of a gantry of closed form: three slides, and a tool off the axes. Its first guide is not straight.
 
 use std::f64::consts::PI;
 
@@ -7,6 +7,12 @@ use crate::rig::Random;
 const TRAVEL_MM: f64 = 1500.0;
 /// Noise along each axis, mm.
 pub(crate) const NOISE_MM: f64 = 0.012;
+
+/// The instrument stands in the base's origin, and the gantry so far from it: what bends lines of sight grows with the
+/// square of the distance.
+const TOOL_MM: [f64; 3] = [2180.0, 260.0, 300.0];
+/// From the first carriage to the tool at home.
+const ARM_MM: [f64; 3] = [180.0, -40.0, 400.0];
 
 /// What the first guide does at a part of its travel: moves of its carriage, mm, and turns about x, y and z, rad.
 pub(crate) type Guide = fn(f64) -> [[f64; 3]; 2];
@@ -29,15 +35,15 @@ pub(crate) fn gantry(seed: u64, count: usize, scale: f64, guide: Guide) -> Strin
         ];
         let [shift, turn] = guide(x / TRAVEL_MM);
         // The tool as the carriage sees it; turns are small, and their squares below a thousandth of the noise.
-        let arm = [180.0, y - 40.0, z + 400.0];
+        let arm = [ARM_MM[0], ARM_MM[1] + y, ARM_MM[2] + z];
         let turned = [
             turn[1] * arm[2] - turn[2] * arm[1],
             turn[2] * arm[0] - turn[0] * arm[2],
             turn[0] * arm[1] - turn[1] * arm[0],
         ];
-        let carriage = [x * (1.0 + scale), 0.0, 0.0];
+        let slid = [x * (1.0 + scale), y, z];
         let point = (0..3)
-            .map(|k| carriage[k] + arm[k] + shift[k] + turned[k] + NOISE_MM * random.normal());
+            .map(|k| TOOL_MM[k] + slid[k] + shift[k] + turned[k] + NOISE_MM * random.normal());
         let row = [x, y, z].into_iter().chain(point);
         for (column, value) in columns.iter_mut().zip(row) {
             column.push(value);
@@ -45,17 +51,19 @@ pub(crate) fn gantry(seed: u64, count: usize, scale: f64, guide: Guide) -> Strin
     }
     let slide = |name: &str, axis: [f64; 3], limits: [f64; 2]| serde_json::json!({ "name": name, "kind": "prismatic", "axis": axis, "point_mm": [0, 0, 0], "limits": limits });
     let names = ["q1_mm", "q2_mm", "q3_mm", "x_mm", "y_mm", "z_mm"];
-    let columns: serde_json::Map<String, serde_json::Value> = names
+    let mut columns: serde_json::Map<String, serde_json::Value> = names
         .iter()
         .zip(columns)
         .map(|(name, column)| ((*name).to_owned(), column.into()))
         .collect();
+    // Its frame is fitted.
+    columns.insert("setup".to_owned(), vec!["station"; count].into());
     let document = serde_json::json!({
         "format": "truepose-session/1", "name": "gantry",
         "robot": { "name": "gantry", "joints": [
             slide("X", [1.0, 0.0, 0.0], [0.0, TRAVEL_MM]), slide("Y", [0.0, 1.0, 0.0], [0.0, 800.0]),
             slide("Z", [0.0, 0.0, 1.0], [-300.0, 0.0]) ],
-            "tool": { "position_mm": [180, -40, 400], "quaternion_wxyz": [1, 0, 0, 0] } },
+            "tool": { "position_mm": TOOL_MM, "quaternion_wxyz": [1, 0, 0, 0] } },
         "instrument": { "name": "tracker", "sigma_mm": NOISE_MM },
         "samples": { "columns": columns } });
     document.to_string()
