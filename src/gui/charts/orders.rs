@@ -6,8 +6,8 @@ use super::{
     About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
     of_noise,
 };
-use crate::gui::core::search::terms;
 use crate::gui::core::quantity::{Over, Variable};
+use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::language;
 use crate::numeric::whole;

@@ -12,10 +12,10 @@
 
 use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues, Over as Follows, Term};
-use crate::gui::core::search::{Search, terms};
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::overview::stride;
 use crate::gui::core::quantity::{Over, Variable};
+use crate::gui::core::search::{Search, terms};
 use crate::lanes::minus;
 use crate::model::Model;
 

@@ -7,9 +7,9 @@ use std::sync::Arc;
 use crate::gui::charts::{
     About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown,
 };
-use crate::gui::core::search::{Search, terms};
 use crate::gui::core::overview::{FEW, stride, thinned};
 use crate::gui::core::quantity::Scale;
+use crate::gui::core::search::{Search, terms};
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::present::chart::{
