@@ -197,10 +197,10 @@ impl Workbench {
         found.filter(|term| !self.is_added(term)).collect()
     }
 
-    /// What predicts without a name, of several joints, and is not in the model.
+    /// What predicts without a name and is not in the model.
     pub(crate) fn predicting_not_added(&self) -> Vec<Term> {
-        let of_arm = self.diagnosis().filter(|d| d.correction().is_none());
-        let mut all = of_arm.map(Diagnosis::unnamed_terms).unwrap_or_default();
+        let all = self.diagnosis().map(Diagnosis::unnamed_terms);
+        let mut all = all.unwrap_or_default();
         all.retain(|term| !self.is_added(term));
         all
     }
