@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::rig::Random;
 
-const TRAVEL_MM: f64 = 1500.0;
+pub(crate) const TRAVEL_MM: f64 = 1500.0;
 /// Noise along each axis, mm.
 pub(crate) const NOISE_MM: f64 = 0.012;
 
@@ -23,6 +23,16 @@ pub(crate) fn turns(u: f64) -> [[f64; 3]; 2] {
     [[0.0, bow, 0.0], [1.5e-4 * roll, 5e-5 * pitch, 2e-4 * yaw]]
 }
 
+/// How a guide moves what its carriage carries there. Turns are small, and their squares below a thousandth of the noise.
+pub(crate) fn moved(guide: Guide, x: f64, arm: [f64; 3]) -> [f64; 3] {
+    let [shift, turn] = guide(x / TRAVEL_MM);
+    [
+        shift[0] + turn[1] * arm[2] - turn[2] * arm[1],
+        shift[1] + turn[2] * arm[0] - turn[0] * arm[2],
+        shift[2] + turn[0] * arm[1] - turn[1] * arm[0],
+    ]
+}
+
 /// So many samples all over its travels; `scale` is that of the first slide.
 pub(crate) fn gantry(seed: u64, count: usize, scale: f64, guide: Guide) -> String {
     let mut random = Random(seed);
@@ -33,17 +43,11 @@ pub(crate) fn gantry(seed: u64, count: usize, scale: f64, guide: Guide) -> Strin
             random.between(0.0, 800.0),
             random.between(-300.0, 0.0),
         ];
-        let [shift, turn] = guide(x / TRAVEL_MM);
-        // The tool as the carriage sees it; turns are small, and their squares below a thousandth of the noise.
+        // The tool as the carriage sees it.
         let arm = [ARM_MM[0], ARM_MM[1] + y, ARM_MM[2] + z];
-        let turned = [
-            turn[1] * arm[2] - turn[2] * arm[1],
-            turn[2] * arm[0] - turn[0] * arm[2],
-            turn[0] * arm[1] - turn[1] * arm[0],
-        ];
+        let moved = moved(guide, x, arm);
         let slid = [x * (1.0 + scale), y, z];
-        let point = (0..3)
-            .map(|k| TOOL_MM[k] + slid[k] + shift[k] + turned[k] + NOISE_MM * random.normal());
+        let point = (0..3).map(|k| TOOL_MM[k] + slid[k] + moved[k] + NOISE_MM * random.normal());
         let row = [x, y, z].into_iter().chain(point);
         for (column, value) in columns.iter_mut().zip(row) {
             column.push(value);

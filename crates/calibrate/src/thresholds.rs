@@ -1,5 +1,7 @@
 //! Thresholds of residuals, as a share of the robot's size or as a ratio: of a robot, a fit, or a set-up error.
 
+use crate::sessions::Session;
+
 /// An error above this share of the robot's size is gross: residual effects are smaller, so that it is of the rows,
 /// the set-up or the description. (Derived: a set-up error moves the tool by more than a hundredth of the robot's
 /// size; no robot that can be calibrated repeats worse.)
@@ -24,3 +26,10 @@ pub(crate) const NOTHING_MM: f64 = 1e-3;
 /// Bends over the range of a joint of what is smooth over it, half-waves of cosines: one and two cycles of a turn have
 /// four, and what is outside of the catalogue may have twice as many.
 pub(crate) const BENDS: usize = 8;
+
+/// The size of a session's robot, of which shares are gross, mm: that of its links, or of a slide that is hardly more than
+/// its travel the spread of the measured points.
+pub(crate) fn size_mm(session: &Session) -> f64 {
+    let links_mm = session.robot.length_along_links_mm();
+    session.samples.spread_mm().max(links_mm)
+}

@@ -290,9 +290,10 @@ impl RequestedSearch {
         };
         let found = diagnosis.found.iter();
         let names: Vec<Term> = found.filter_map(|f| term_of(diagnosis, f)).collect();
-        let all = same(&[names.clone(), diagnosis.unnamed_terms()].concat());
-        // Of several joints what has no name was fitted together with the geometry: without it the fit is another.
-        let corrected = diagnosis.correction().is_some();
+        let unnamed = diagnosis.unnamed_terms();
+        let all = same(&[&*names, &*unnamed].concat());
+        // What is no curve over a single joint was fitted together with the geometry: without it the fit is another.
+        let corrected = diagnosis.correction().is_some() && unnamed.len() == 1;
         (all || corrected && same(&names)).then(|| Self {
             search: Arc::clone(search),
             corrected: corrected && all,

@@ -202,10 +202,36 @@ pub struct Unnamed {
 }
 
 impl Unnamed {
+    /// With what predicts in addition to it.
+    pub(crate) fn and(self, more: Self) -> Self {
+        Self {
+            rms_mm: self.rms_mm.hypot(more.rms_mm),
+            held_out_mm: [self.held_out_mm[0], more.held_out_mm[1]],
+            over: [self.over, more.over].concat(),
+            curve: self.curve,
+        }
+    }
+
+    /// What predicts in addition to the curve over the joint.
+    pub fn beside_the_curve(&self) -> &[Text] {
+        let of_curve = usize::from(self.curve.is_some());
+        &self.over[of_curve..]
+    }
+
     /// In words.
     pub fn describe(&self) -> Text {
+        let others = self.beside_the_curve();
         if let Some(curve) = &self.curve {
-            return curve.description.clone();
+            let curve = curve.description.clone();
+            if others.is_empty() {
+                return curve;
+            }
+            return text!(
+                "{curve}; in addition {over}, with which the cross-validated RMS error is {error}",
+                curve,
+                over = Text::listed(others, ", "),
+                error = length(self.held_out_mm[1], 4)
+            );
         }
         text!(
             "{size} that no name is proven for predict unseen poses all the same and are in the model: cross-validated {change}, over {over}; outside the measured range they fade to nothing",
@@ -274,11 +300,13 @@ impl Diagnosis {
 
     /// The terms of the model that predict without a name.
     pub fn unnamed_terms(&self) -> Vec<Term> {
-        if let Some(correction) = self.correction() {
-            return vec![correction.term.clone()];
-        }
-        let all = self.model.terms().iter();
-        all.filter(|term| term.rest().is_some()).cloned().collect()
+        let rest = self
+            .model
+            .terms()
+            .iter()
+            .filter(|term| term.rest().is_some());
+        let curve = self.correction().map(|correction| &correction.term);
+        curve.into_iter().chain(rest).cloned().collect()
     }
 
     /// The answer without what repeats over the only joint and has no name.

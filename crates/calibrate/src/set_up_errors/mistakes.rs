@@ -31,7 +31,7 @@ use super::fits::{is_small_turn, share_within, thinned, trial};
 use super::nearest::Nominal;
 use super::several::several;
 use super::thresholds::{
-    CORRECTED_SHARE, EQUAL, FEWEST_SAMPLES, HALF, NEARLY_ALL, PLAUSIBLE_SHARE,
+    CORRECTED_SHARE, EQUAL, FEWEST_SAMPLES, HALF, NEARLY_ALL, PLAUSIBLE_SHARE, size_mm,
 };
 
 /// Samples that a trial looks at.
@@ -99,7 +99,7 @@ impl<'a> Judge<'a> {
     /// `None` where nothing is wrong.
     fn of(part: &'a Session, values: JointValues, share: f64) -> Option<Self> {
         let spread = part.samples.spread_mm();
-        let gross = GROSS_SHARE * spread.max(part.robot.length_along_links_mm());
+        let gross = GROSS_SHARE * size_mm(part);
         let before_mm = least_mm(part, values, frame_is_free(part), share, gross);
         (before_mm >= gross).then(|| Self {
             part,
@@ -109,7 +109,7 @@ impl<'a> Judge<'a> {
             most_mm: (CORRECTED_SHARE * before_mm).min(PLAUSIBLE_SHARE * spread),
             moves: nominal_mm(part, values).map(|along| {
                 let [low, high] = extent(&along);
-                high - low > GROSS_SHARE * part.robot.length_along_links_mm()
+                high - low > GROSS_SHARE * size_mm(part)
             }),
         })
     }

@@ -9,7 +9,7 @@ use crate::text::length;
 use super::changes::frame_is_free;
 use super::fits::{share_within, thinned};
 use super::nearest::Nominal;
-use super::thresholds::{FEW_SAMPLES, GROSS_SHARE, HALF, PLAUSIBLE_SHARE};
+use super::thresholds::{FEW_SAMPLES, GROSS_SHARE, HALF, PLAUSIBLE_SHARE, size_mm};
 
 /// The residual of the nominal robot has to fall to less than this share …
 const CORRECTED: f64 = 0.1;
@@ -32,7 +32,7 @@ pub(super) fn stated_there(session: &Session, values: JointValues) -> Vec<DataPr
     let mut as_places = part.clone();
     correction.apply(&mut as_places);
     let [before, after] = [residual_mm(&part), residual_mm(&as_places)];
-    let is_gross = before >= GROSS_SHARE * session.robot.length_along_links_mm();
+    let is_gross = before >= GROSS_SHARE * size_mm(session);
     let enough = (CORRECTED * before).min(PLAUSIBLE_SHARE * part.samples.spread_mm());
     if !before.is_finite() || !is_gross || after > enough {
         return Vec::new();

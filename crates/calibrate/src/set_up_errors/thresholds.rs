@@ -1,7 +1,7 @@
 //! Thresholds of set-up errors.
 
 pub(super) use crate::budget::{OF_A_CHOICE as FEW_SAMPLES, OF_A_TRIAL as MOST_SAMPLES};
-pub(super) use crate::thresholds::{EQUAL, GROSS_SHARE, GROSS_TURN_RAD, PLAUSIBLE_SHARE};
+pub(super) use crate::thresholds::{EQUAL, GROSS_SHARE, GROSS_TURN_RAD, PLAUSIBLE_SHARE, size_mm};
 
 /// With fewer samples a set-up error cannot be distinguished from an effect.
 pub(super) const FEWEST_SAMPLES: usize = 6;

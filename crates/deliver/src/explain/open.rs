@@ -122,6 +122,14 @@ fn repeating(unnamed: &Unnamed, curve: &Correction, detail: Detail) -> Section {
             ),
         ),
     ];
+    let others: Vec<_> = unnamed.beside_the_curve().iter().map(cleaned).collect();
+    if !others.is_empty() {
+        let change = detail.lengths([curve.held_out_mm[1], unnamed.held_out_mm[1]]);
+        facts.push(fact(
+            say!("In addition"),
+            say!("{over}: {change}", over = others.join(", "), change),
+        ));
+    }
     if let Some(runs_mm) = curve.runs_held_out_mm {
         facts.push(fact(say!("Of another run"), detail.length(runs_mm)));
     } else {

@@ -7,6 +7,7 @@
 //! it, which keeps the order. A joint's own temperature counts before that of the machine.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use crate::sessions::measuring_order::measuring_order;
 use crate::sessions::poses::poses;
@@ -174,6 +175,12 @@ impl<'a> Inputs<'a> {
             start_s: Some(self.start_s()),
             len: samples.len(),
         }
+    }
+
+    /// How many of the reflectors were measured.
+    pub fn reflectors(&self) -> usize {
+        let targets = self.target.as_deref().unwrap_or(&[]);
+        targets.iter().collect::<BTreeSet<_>>().len().max(1)
     }
 
     /// Poses that were not measured: at standstill, at 20 °C, without load, approached from

@@ -16,7 +16,7 @@ use crate::fit::problem::Problem;
 use crate::model::Model;
 use crate::numeric::median;
 use crate::sessions::Group;
-use crate::thresholds::GROSS_SHARE;
+use crate::thresholds::{GROSS_SHARE, size_mm};
 
 /// Whether the points of every setup lie as near to a line as the nominal robot is to them in the median: its error
 /// turns them by a radian about the line, or more. A gross error is one of the set-up (a home that is off), not of the
@@ -37,7 +37,7 @@ pub(super) fn is_open(problem: &Problem, base: &Model) -> bool {
             .or_default()
             .push(i);
     }
-    let gross_mm = GROSS_SHARE * session.robot.length_along_links_mm();
+    let gross_mm = GROSS_SHARE * size_mm(session);
     setups.values().all(|rows| {
         let points = rows.iter().map(|i| session.samples.coordinates(*i).into());
         let off_mm = median(rows.iter().map(|i| lengths[*i]));

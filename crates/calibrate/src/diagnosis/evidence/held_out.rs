@@ -44,6 +44,13 @@ const _: () = assert!(budget::FOLDS == 5, "the answer speaks of fifths");
 /// With fewer poses no error on unseen ones is reported.
 pub(crate) const FEWEST: usize = 6;
 
+fn each_fifth(joint: usize) -> Text {
+    text!(
+        "each fifth of the positions of joint {joint} (spread over its range) predicted by a fit that has not seen it",
+        joint
+    )
+}
+
 /// The samples of rows by their poses.
 fn poses_of(rows: &Rows) -> ByPose {
     ByPose::of(rows.inputs.pose.as_deref(), rows.samples.len())
@@ -90,12 +97,22 @@ impl Folds {
                 joint
             )
         } else {
-            text!(
-                "each fifth of the positions of joint {joint} (spread over its range) predicted by a fit that has not seen it",
-                joint
-            )
+            each_fifth(joint)
         };
         Self::of_poses(&poses, &fold, count, how)
+    }
+
+    /// Folds over the values of a single joint, each fifth in turn: what is smooth over it is predicted by its neighbours.
+    pub(crate) fn over_values(rows: &Rows) -> Self {
+        let places = ByPose::of_places(&rows.inputs.q, rows.samples.len());
+        let value = |place: usize| rows.inputs.q[0][places.first[place]];
+        let mut order: Vec<usize> = (0..places.first.len()).collect();
+        order.sort_by(|a, b| value(*a).total_cmp(&value(*b)));
+        let mut fold = vec![0; order.len()];
+        for (rank, place) in order.into_iter().enumerate() {
+            fold[place] = rank % budget::FOLDS;
+        }
+        Self::of_poses(&places, &fold, budget::FOLDS, each_fifth(1))
     }
 
     /// The folds of samples by those of their poses: rows of a pose share the error of repeatability.

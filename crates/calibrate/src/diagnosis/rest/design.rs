@@ -147,7 +147,11 @@ impl<'a> Design<'a> {
         }
         let base = kept.len();
         let families = Families::of(&model.robot, &rows.inputs);
-        let folds = Folds::over_cells(&rows, model);
+        let folds = if joints > 1 {
+            Folds::over_cells(&rows, model)
+        } else {
+            Folds::over_values(&rows)
+        };
         let share = dealt(&rows);
         let with = |all: DMatrix<f64>, y: &DVector<f64>| {
             let mut all = all.insert_column(base, 0.0);

@@ -3,7 +3,8 @@
 //! Along the motion of a joint: gravity, what the conditions of measuring turn it by, harmonics of its
 //! own value and of those of its neighbours, a smooth curve over its range; across the joint's axis and
 //! along it: harmonics of its own value (a bearing that runs out or wobbles). What slides is displaced across its motion
-//! and turned in three directions by smooth curves over its travel: a guide is never straight.
+//! and turned in three directions by smooth curves over its travel: a guide is never straight. So is a single joint that
+//! carries several reflectors, in addition to its curve ([`joint`](super::joint)), which cannot follow them all.
 
 use nalgebra::DMatrix;
 
@@ -31,6 +32,12 @@ const ACROSS: usize = 3;
 /// 1.32 → 1.22; of 200, bow and turns 1.14 → 1.09; rail of 60 1.28 → 1.23; nothing hidden equal.
 const BEYOND: f64 = 1.5;
 
+/// How a joint that turns is tilted.
+const TILTS: [FamilyKind; 2] = [
+    FamilyKind::Tilt(DIRECTIONS + 1),
+    FamilyKind::Tilt(DIRECTIONS + 2),
+];
+
 /// The kinds of families.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum FamilyKind {
@@ -45,6 +52,8 @@ pub(super) enum FamilyKind {
     Across(usize),
     /// A smooth curve across the motion of a joint that slides (1, 2), or about one of its directions (3 to 5).
     Guide(usize),
+    /// A smooth curve about one of the directions across the axis of a joint that turns (4, 5).
+    Tilt(usize),
     /// A gear's order.
     Order(f64),
 }
@@ -120,6 +129,12 @@ impl Families {
 
     fn add_of(&mut self, robot: &Robot, joint: usize) {
         let turns = |j: usize| robot.joints[j].kind == JointKind::Revolute;
+        let guide: Vec<FamilyKind> = (1..MOVES).map(FamilyKind::Guide).collect();
+        if robot.joints.len() == 1 {
+            let others = if turns(joint) { &TILTS } else { &*guide };
+            self.add_smooth(joint, others);
+            return;
+        }
         if robot.gravity_m_s2.is_some() && turns(joint) {
             let sags = (0..UNIT_SAGS).map(|k| (PoseFunction::Sag(k), 1.0));
             self.add(joint, FamilyKind::Gravity, sags.collect());
@@ -135,22 +150,7 @@ impl Families {
             let own = harmonics(joint, HARMONICS);
             self.add(joint, FamilyKind::Harmonics, own);
         }
-        let [from, to] = self.ranges[joint];
-        if to > from {
-            self.add(
-                joint,
-                FamilyKind::Curve,
-                bends(joint, BENDS, from, to - from),
-            );
-            // A single slide carries no arm that would show how it is turned; its curve has all directions.
-            if !turns(joint) && robot.joints.len() > 1 {
-                let count = (BENDS as f64 * BEYOND).ceil() as usize;
-                let curve = bends(joint, count, from, BEYOND * (to - from));
-                for direction in 1..MOVES {
-                    self.add(joint, FamilyKind::Guide(direction), curve.clone());
-                }
-            }
-        }
+        self.add_smooth(joint, if turns(joint) { &[] } else { &guide });
         for other in
             joint.saturating_sub(NEIGHBOURS)..robot.joints.len().min(joint + NEIGHBOURS + 1)
         {
@@ -166,6 +166,21 @@ impl Families {
                     FamilyKind::Across(direction),
                     harmonics(joint, ACROSS),
                 );
+            }
+        }
+    }
+
+    /// Smooth curves over a joint's range: along its motion, and how else it moves what it carries: a guide in all
+    /// directions, a single joint that turns about those across its axis.
+    fn add_smooth(&mut self, joint: usize, others: &[FamilyKind]) {
+        let [from, to] = self.ranges[joint];
+        if to > from {
+            let curve = bends(joint, BENDS, from, to - from);
+            self.add(joint, FamilyKind::Curve, curve);
+            let count = (BENDS as f64 * BEYOND).ceil() as usize;
+            let curve = bends(joint, count, from, BEYOND * (to - from));
+            for what in others {
+                self.add(joint, *what, curve.clone());
             }
         }
     }
@@ -208,7 +223,9 @@ impl Families {
 
     fn direction(&self, column: &Column) -> usize {
         match self.all[column.family].what {
-            FamilyKind::Across(direction) | FamilyKind::Guide(direction) => direction,
+            FamilyKind::Across(direction)
+            | FamilyKind::Guide(direction)
+            | FamilyKind::Tilt(direction) => direction,
             _ => 0,
         }
     }
@@ -351,6 +368,7 @@ impl Family {
             FamilyKind::Guide(direction) if direction < DIRECTIONS => text!("straightness"),
             FamilyKind::Guide(DIRECTIONS) => text!("roll"),
             FamilyKind::Guide(_) => text!("pitch or yaw"),
+            FamilyKind::Tilt(_) => text!("tilt"),
             FamilyKind::Order(order) => {
                 text!("{count} cycles per turn", count = format!("{order:.1}"))
             }

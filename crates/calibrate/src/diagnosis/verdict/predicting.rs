@@ -4,8 +4,9 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use super::named::{Figures, Named};
+use super::repeating::{WithRepeating, with_repeating};
 use super::values::Values;
-use super::{repeating, unnamed, unseen};
+use super::{unnamed, unseen};
 use crate::answers::diagnosis::{HeldOut, Unexplained, Unnamed};
 use crate::answers::identification::Identification;
 use crate::answers::noise::Noise;
@@ -15,6 +16,7 @@ use crate::numeric::extent;
 
 /// The model with everything that predicts: undetermined parameters at their expected values, and what repeats without
 /// a name.
+#[derive(Clone)]
 pub(super) struct Predicting<'a> {
     pub(super) values: Values<'a>,
     /// With it, and of the names alone, on the samples that both are judged by.
@@ -45,33 +47,37 @@ impl<'a> Predicting<'a> {
             noise: None,
             come_back: Vec::new(),
         };
-        if let Some((with, after, unnamed)) =
-            unnamed::with_rest(prepared, &plain.values, &plain.figures)
-        {
-            return Self {
-                values: with,
-                figures: after,
-                unnamed: Some(unnamed),
-                ..plain
-            };
-        }
-        let Some(own) =
-            repeating::with_repeating(prepared, &plain.values, unexplained, &plain.figures)
-        else {
-            return plain;
-        };
-        let mut names = plain.names;
+        let own = with_repeating(prepared, &plain.values, unexplained, &plain.figures);
+        let with_curve = own.map_or(plain.clone(), |own| plain.with_curve(own));
+        let unnamed = with_curve.unnamed.as_ref();
+        let curve = unnamed.and_then(|unnamed| Some(unnamed.curve.as_ref()?.term.clone()));
+        let (values, figures) = (&with_curve.values, &with_curve.figures);
+        let rest = unnamed::with_rest(prepared, values, figures, curve.as_ref());
+        rest.map_or(with_curve.clone(), |(values, figures, rest)| Self {
+            values,
+            figures,
+            unnamed: Some(match with_curve.unnamed.clone() {
+                Some(curve) => curve.and(rest),
+                None => rest,
+            }),
+            ..with_curve
+        })
+    }
+
+    /// With the curve over the only joint in addition.
+    fn with_curve(&self, own: WithRepeating) -> Self {
+        let mut names = self.names.clone();
         names.held_out = own.figures.held_out.clone();
         if let Some(gaps) = &mut names.held_out.gaps {
             gaps.end_mm = own.unnamed.held_out_mm[0].min(gaps.identified_mm);
         }
         Self {
+            values: self.values.clone(),
             names,
             figures: own.figures,
             unnamed: Some(own.unnamed),
             noise: own.noise,
             come_back: own.come_back,
-            ..plain
         }
     }
 

@@ -1,12 +1,13 @@
 //! The rest that has no name and predicts poses that no fit has seen.
 //!
 //! A name is reported where it is proven; a model that is handed out contains whatever predicts. After the search, a
-//! smooth rest is fitted in addition to the geometry and the names of a robot with several joints
-//! ([`crate::diagnosis::rest`]).
+//! smooth rest is fitted in addition to the geometry and the names of a robot with several joints, or of a single one
+//! that carries several reflectors: these show how it is turned ([`crate::diagnosis::rest`]).
 
 use crate::effects::Term;
 use crate::fit::base_model;
-use crate::fit::gap::lengths_mm;
+use crate::fit::gap::{lengths_mm, rms_mm};
+use crate::model::Model;
 
 use super::named::Figures;
 use super::unseen;
@@ -14,24 +15,28 @@ use super::values::Values;
 use crate::answers::diagnosis::Unnamed;
 use crate::diagnosis::rest::arm::{self, FittedFamilies};
 use crate::diagnosis::search::prepare::PreparedSearch;
-/// Values with what predicts without a name, where it does, and their figures.
+
+/// Values with what predicts without a name, where it does, and their figures; `curve` is that over a single joint, in
+/// addition to which it predicts.
 pub(super) fn with_rest<'a>(
     prepared: &PreparedSearch,
     values: &Values<'a>,
     figures: &Figures,
+    curve: Option<&Term>,
 ) -> Option<(Values<'a>, Figures, Unnamed)> {
-    let arm = base_model::is_arm(values.problem.session);
-    let options = prepared.options();
-    if options.without_unnamed || !arm {
+    let problem = &values.problem;
+    let several = base_model::is_arm(problem.session) || problem.inputs.reflectors() > 1;
+    if prepared.options().without_unnamed || !several {
         return None;
     }
     let mut now = figures.clone();
     let gaps = now.held_out.gaps.as_mut()?;
-    let found = fitted(prepared, values)?;
-    let share = share_unseen(prepared, values, &found)?;
+    let found = fitted(prepared, values, curve)?;
+    let share = share_unseen(prepared, values, &found, curve)?;
     let held_out_mm = [gaps.end_mm, gaps.end_mm * share];
-    let with = values.with_unnamed(&found.terms);
-    let [before, after] = [values.rms_mm(), with.rms_mm()];
+    let with = values.with_unnamed(&found.terms, curve);
+    let rms = |model: &Model| rms_mm(problem, &beside(model, curve));
+    let [before, after] = [&values.model, &with.model].map(rms);
     let end_mm = now.gap.end_mm - before + after;
     let better = after < before && end_mm <= now.gap.identified_mm;
     if !better || share >= 1.0 || held_out_mm[1] > gaps.identified_mm {
@@ -50,25 +55,44 @@ pub(super) fn with_rest<'a>(
 
 /// The error on unseen samples with it as a share of that without it; `None` where there is none to add
 /// without samples that are locked away.
-fn share_unseen(prepared: &PreparedSearch, values: &Values, found: &FittedFamilies) -> Option<f64> {
+fn share_unseen(
+    prepared: &PreparedSearch,
+    values: &Values,
+    found: &FittedFamilies,
+    curve: Option<&Term>,
+) -> Option<f64> {
     if !unseen::held_out_samples(prepared).contains(&true) {
         return Some(found.held_out_mm[1] / found.held_out_mm[0]);
     }
     let seen = values.on(&prepared.problem);
     let terms = if prepared.locked.contains(&true) {
-        fitted(prepared, &seen)?.terms
+        fitted(prepared, &seen, curve)?.terms
     } else {
         found.terms.clone()
     };
     let rms = |terms: &[Term]| {
-        let model = seen.with_unnamed(terms).model;
+        let model = beside(&seen.with_unnamed(terms, curve).model, curve);
         unseen::rms_apart_mm(prepared, &lengths_mm(&prepared.problem, &model))
     };
     Some(rms(&terms) / rms(&[]).max(f64::MIN_POSITIVE))
 }
 
-fn fitted(prepared: &PreparedSearch, values: &Values) -> Option<FittedFamilies> {
+fn fitted(
+    prepared: &PreparedSearch,
+    values: &Values,
+    curve: Option<&Term>,
+) -> Option<FittedFamilies> {
     let regression = &prepared.regression;
     let (noise, threads) = (&regression.noise, regression.threads);
-    arm::fitted(&values.problem, noise, &values.model, threads)
+    arm::fitted(
+        &values.problem,
+        noise,
+        &beside(&values.model, curve),
+        threads,
+    )
+}
+
+/// A model with a curve in it.
+fn beside(model: &Model, curve: Option<&Term>) -> Model {
+    curve.map_or_else(|| model.clone(), |curve| model.with_term(curve.clone()))
 }

@@ -366,9 +366,9 @@ impl<'a> Values<'a> {
         now
     }
 
-    /// With what predicts without a name in the model, and the geometry fitted again with it; the names keep their
-    /// values. The change of the geometry shifts its intervals.
-    pub(crate) fn with_unnamed(&self, unnamed: &[Term]) -> Self {
+    /// With what predicts without a name in the model, and the geometry fitted again with it and with a `curve`; the
+    /// names keep their values. The change of the geometry shifts its intervals.
+    pub(crate) fn with_unnamed(&self, unnamed: &[Term], curve: Option<&Term>) -> Self {
         let mut now = self.clone();
         now.problem.extra_columns.clear();
         let is_base = |t: &Term| base_model::belongs(t.effect.about().id);
@@ -377,7 +377,8 @@ impl<'a> Values<'a> {
             .iter()
             .map(|term| term.with_geometry_alone_as(&alone));
         let unnamed: Vec<Term> = unnamed.collect();
-        let all = [self.with_names_held(), unnamed.clone()].concat();
+        let curve = curve.cloned().into_iter();
+        let all = [self.with_names_held(), curve.collect(), unnamed.clone()].concat();
         let fitted = solve(&now.problem, &Model::new(self.model.robot.clone(), all)).model;
         // They have no coefficients and are the last of all.
         let with = unnamed
@@ -399,6 +400,9 @@ impl<'a> Values<'a> {
         }
         now.estimates.resize(now.model.terms().len(), Vec::new());
         now.solution.model = now.model.clone();
+        if self.has_shapes() {
+            now.solution = solution_at(&now.problem, &now.solution);
+        }
         now
     }
 

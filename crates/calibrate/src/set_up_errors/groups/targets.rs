@@ -15,7 +15,7 @@ use crate::text::{Text, components, length};
 use super::evidence::MOST_PLACES;
 use super::evidence::{RESIDUAL_SHARE, evidence, in_numbers, is_believed};
 use crate::set_up_errors::fits::{fitted, fitted_from, some_samples};
-use crate::set_up_errors::thresholds::{CORRECTED_SHARE, GROSS_SHARE};
+use crate::set_up_errors::thresholds::{CORRECTED_SHARE, GROSS_SHARE, size_mm};
 
 /// A place is off beyond so many standard deviations of what is stated.
 const OFF: f64 = 4.0;
@@ -72,7 +72,7 @@ pub(super) fn contradicted(session: &Session, values: JointValues) -> Option<Con
     let evidence = evidence(part.samples.len(), axes, before, after, axes * places);
     // A robot that is this far off is one with a wrong unit that free places would only hide, unless the residual
     // nearly vanishes with them.
-    let gross = GROSS_SHARE * part.robot.length_along_links_mm();
+    let gross = GROSS_SHARE * size_mm(&part);
     let share = if before > gross {
         CORRECTED_SHARE
     } else {

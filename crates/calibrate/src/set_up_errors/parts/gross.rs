@@ -25,7 +25,7 @@ use crate::set_up_errors::fits;
 use crate::set_up_errors::groups::{self, evidence};
 use crate::set_up_errors::nearest::{Nominal, Pair, cost, cost_of, distance, motion};
 use crate::set_up_errors::rows::{Part, RowsInOrder};
-use crate::set_up_errors::thresholds::{EQUAL, EVIDENCE, GROSS_SHARE, PLAUSIBLE_SHARE};
+use crate::set_up_errors::thresholds::{EQUAL, EVIDENCE, GROSS_SHARE, PLAUSIBLE_SHARE, size_mm};
 
 /// Rows that the search looks at …
 const MOST_ROWS: usize = 160;
@@ -149,7 +149,7 @@ impl<'a> Search<'a> {
     }
 
     fn gross_mm(&self) -> f64 {
-        GROSS_SHARE * self.session.robot.length_along_links_mm()
+        GROSS_SHARE * size_mm(self.session)
     }
 
     fn plausible_mm(&self) -> f64 {
