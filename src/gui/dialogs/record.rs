@@ -27,11 +27,10 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
         .spacing([f32::from(space::PANEL), space::TIGHT])
         .show(ui, |ui| {
             for line in Details::LINES {
-                let dated = Some(say!("such as 22 Nov 2026")).filter(|_| line.key == "date");
                 let (name, value) = (spoken(line.name), (line.of)(&mut stated.details));
                 ui.weak(name);
-                let (hint, wide) = (dated.unwrap_or_default(), ui.available_width());
-                field(ui, name, value, hint, wide);
+                let wide = ui.available_width();
+                field(ui, name, value, "", wide);
                 ui.end_row();
             }
             let name = say!("Logo");
@@ -70,7 +69,9 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
             });
         });
     }
-    ui.hint(about(stated.details.rule));
+    if let Some(rule) = stated.details.rule {
+        ui.hint(about(rule));
+    }
     results::decision(ui, workbench);
     if stated != before {
         workbench.then(move |bench| bench.state(stated));
@@ -90,13 +91,12 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
 }
 
 /// What choosing a rule means.
-fn about(rule: Option<Rule>) -> &'static str {
+fn about(rule: Rule) -> &'static str {
     match rule {
-        None => say!("The report states the errors and leaves the decision to its reader"),
-        Some(Rule::Iso14253) => say!(
+        Rule::Iso14253 => say!(
             "Pass where the largest deviation and its uncertainty together are within the tolerance, fail where the deviation without its uncertainty is above it; between them neither is proven"
         ),
-        Some(Rule::Simple) => say!(
+        Rule::Simple => say!(
             "Pass where the largest deviation is within the tolerance; the uncertainty is stated and does not count (JCGM 106, 8.2)"
         ),
     }

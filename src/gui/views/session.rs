@@ -7,7 +7,6 @@ use egui::{Align, DragValue, Layout, Response, RichText, TextEdit, Ui};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::gui::actions;
 use crate::gui::core::disk::name_of;
-use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::import_draft::in_the_windows_words;
@@ -168,23 +167,30 @@ fn findings(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-fn finding_line(ui: &mut Ui, finding: &Diagnostic, workbench: &Workbench) {
+/// What was found, behind its kind: a word as well as a colour.
+pub(crate) fn finding(ui: &mut Ui, severity: Severity, contents: impl FnOnce(&mut Ui)) {
     let palette = Palette::of(ui);
-    let (mark, color) = match finding.severity {
+    let (mark, color) = match severity {
         Severity::Note => (say!("note"), palette.muted),
         Severity::Warning => (say!("warning"), palette.warning),
         Severity::Error => (say!("error"), palette.outside),
     };
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
-        let text = in_the_windows_words(&finding.clone().without_folder());
+        contents(ui);
+    });
+}
+
+fn finding_line(ui: &mut Ui, found: &Diagnostic, workbench: &Workbench) {
+    finding(ui, found.severity, |ui| {
+        let text = in_the_windows_words(&found.clone().without_folder());
         let text = RichText::new(text).small();
-        if finding.samples.is_empty() {
+        if found.samples.is_empty() {
             ui.label(text);
             return;
         }
         let link = ui.link(text).on_hover_text(say!("Show these samples"));
-        let samples = finding.samples.clone();
+        let samples = found.samples.clone();
         link.does(workbench, |bench| bench.view.mark(samples));
     });
 }
@@ -215,9 +221,6 @@ fn path_field(ui: &mut Ui, workbench: &Workbench) {
 
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
-    if loaded_session.origin == Origin::Bundled {
-        ui.hint(say!("This is an example that comes with the program"));
-    }
     let step = if workbench.document().loaded_model.is_some() {
         Step::Export
     } else if loaded_session.single_revolute() {

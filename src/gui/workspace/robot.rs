@@ -104,13 +104,9 @@ impl Drawn {
 
     /// In words: which sample, at which joint values.
     pub(crate) fn describe(&self) -> String {
-        let mut says = match (self.sample, self.asked_for) {
-            (Some(sample), true) => say!("robot at sample {sample}", sample = sample + 1),
-            (Some(sample), false) => say!(
-                "robot at sample {sample}, as an example",
-                sample = sample + 1
-            ),
-            (None, _) => say!("robot at home").to_owned(),
+        let mut says = match self.sample {
+            Some(sample) => say!("robot at sample {sample}", sample = sample + 1),
+            None => say!("robot at home").to_owned(),
         };
         for (k, (name, value)) in self.values.iter().enumerate() {
             says += if k == 0 { ": " } else { ", " };
