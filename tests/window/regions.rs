@@ -20,8 +20,8 @@ fn value(window: &Window, label: &str) -> String {
 
 /// From and to of a region, as its fields say it.
 fn ends(window: &Window, region: &str) -> (String, String) {
-    let of = |end: &str| value(window, &format!("{end}, region {region}"));
-    (of("From"), of("To"))
+    let of = |end: &str| value(window, &format!("region {region}: {end}"));
+    (of("from"), of("to"))
 }
 
 fn pair(from: &str, to: &str) -> (String, String) {

@@ -30,15 +30,14 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
                 let (name, value) = (spoken(line.name), (line.of)(&mut stated.details));
                 ui.weak(name);
                 let wide = ui.available_width();
-                field(ui, name, value, "", wide);
+                field(ui, name, value, wide);
                 ui.end_row();
             }
             let name = say!("Logo");
             ui.weak(name);
             ui.horizontal(|ui| {
                 let width = ui.available_width() - 86.0;
-                let hint = say!("a PNG file");
-                field(ui, name, &mut stated.logo, hint, width);
+                field(ui, name, &mut stated.logo, width);
                 ui.button(say!("Choose…"))
                     .does(workbench, Workbench::choose_logo);
             });
@@ -102,7 +101,7 @@ fn about(rule: Rule) -> &'static str {
     }
 }
 
-fn field(ui: &mut Ui, name: &str, value: &mut String, hint: &str, width: f32) {
-    let edit = TextEdit::singleline(value).hint_text(hint).char_limit(400);
+fn field(ui: &mut Ui, name: &str, value: &mut String, width: f32) {
+    let edit = TextEdit::singleline(value).char_limit(400);
     ui.named(name, edit.desired_width(width.max(120.0)));
 }

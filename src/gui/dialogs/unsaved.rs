@@ -8,6 +8,7 @@ use egui::{Id, Key, TextEdit, Ui};
 
 use crate::text::capital;
 
+use crate::gui::core::disk::name_of;
 use crate::gui::style::space;
 use crate::gui::view::{NextAction, Sheet, What};
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
@@ -114,9 +115,9 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench) {
         }
         let samples = left.kept.session.samples.len().to_string();
         ui.fact(say!("samples"), samples);
-        let file = left.kept.about.file.as_ref().and_then(|f| f.file_name());
-        let file = file.map_or(say!("no file").into(), |f| f.to_string_lossy());
-        ui.fact(say!("file"), file);
+        if let Some(file) = &left.kept.about.file {
+            ui.fact(say!("file"), name_of(file));
+        }
     });
     // What is discarded cannot be brought back: it takes a second press.
     let id = Id::unique(("discard of the recovery", left.when));

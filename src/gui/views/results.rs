@@ -239,6 +239,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench) {
             workbench.edits(move |document| document.choose_effect(id, shown));
         }
     }
+    not_testable(ui, workbench);
 }
 
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
@@ -296,12 +297,13 @@ pub(super) fn beforehand(ui: &mut Ui, workbench: &Workbench) {
         return;
     }
     match workbench.view.step {
-        Step::Session | Step::Regions | Step::Identify => {
+        Step::Session | Step::Regions => {
             nominal(ui, workbench);
             testable(ui, workbench);
         }
         Step::Gap => testable(ui, workbench),
-        Step::Export => nominal(ui, workbench),
+        // The effects that can be tested are those to choose from.
+        Step::Identify | Step::Export => nominal(ui, workbench),
     }
 }
 
@@ -336,24 +338,27 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     widgets::card(ui, |ui| {
         let known = &loaded_session.coverage;
-        let (yes, no) = (known.testable.len(), known.not_testable.len());
-        let can = say!("{yes} can be tested", yes);
+        let can = say!("{yes} effects can be tested", yes = known.testable.len());
         ui.folded(&can, |ui| {
             let names = known.testable.iter();
             let names: Vec<&str> = names.map(|id| title(id)).collect();
             ui.hint(names.join(", ").to_lowercase());
         });
-        if no > 0 {
-            let cannot = say!("{no} cannot, and why", no);
-            ui.folded(&cannot, |ui| not_testable(ui, workbench));
-        }
+        not_testable(ui, workbench);
     });
 }
 
 /// The effects that cannot be seen, each with the reason.
 fn not_testable(ui: &mut Ui, workbench: &Workbench) {
-    for (effect, because) in &workbench.loaded_session().coverage.not_testable {
-        ui.label(title(effect));
-        ui.hint(spoken(because));
+    let all = &workbench.loaded_session().coverage.not_testable;
+    if all.is_empty() {
+        return;
     }
+    let cannot = say!("{no} not testable, and why", no = all.len());
+    ui.folded(&cannot, |ui| {
+        for (effect, because) in all {
+            ui.label(title(effect));
+            ui.hint(spoken(because));
+        }
+    });
 }

@@ -214,7 +214,7 @@ fn held_against(ui: &mut Ui, workbench: &Workbench, shown_mm: Option<f64>) {
     let palette = Palette::of(ui);
     match (shown_mm, workbench.document().tolerance_mm) {
         (None, _) => {
-            let says = say!("excluded by hand, in no figure");
+            let says = say!("excluded");
             sign(ui, "×", palette.muted, says);
         }
         (Some(mm), Some(tolerance_mm)) if mm.is_finite() => {

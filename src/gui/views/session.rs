@@ -70,7 +70,7 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
         ui.fact(say!("joints"), joints.len().to_string());
     }
     if loaded_session.is_empty() {
-        ui.fact(say!("samples"), say!("none: this is a model"));
+        ui.fact(say!("samples"), "0");
         return;
     }
     let mut samples = grouped(loaded_session.len());
@@ -93,13 +93,13 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
         ui.fact(say!("instrument"), &session.instrument.name);
     }
     let sigma = match session.instrument.sigma_mm {
-        None => say!("not given").to_owned(),
+        None => "–".to_owned(),
         Some(Sigma::Overall(sigma)) => units.length(sigma),
         Some(Sigma::PerAxis([x, y, z])) => units.length(((x * x + y * y + z * z) / 3.0).sqrt()),
     };
     ui.fact(say!("noise, one σ"), sigma);
     if session.samples.z_mm.is_none() {
-        ui.fact(say!("coordinates"), say!("x and y; z was not measured"));
+        ui.fact(say!("coordinates"), "x, y");
     }
     if session.compensated_by.is_some() {
         ui.fact(say!("compensated"), say!("yes: this shows what is left"));
@@ -205,7 +205,7 @@ fn path_field(ui: &mut Ui, workbench: &Workbench) {
         let button = egui::Button::new(say!("Open"));
         let pressed = ui.add_enabled(!typed.trim().is_empty(), button).clicked();
         let field = TextEdit::singleline(&mut typed)
-            .hint_text(say!("type a path, or drop a file"))
+            .hint_text(say!("type a path"))
             .align(egui::Align2::LEFT_CENTER);
         let field = ui.add_sized(ui.available_size(), field);
         widgets::label(&field, say!("Path of a session or model"));

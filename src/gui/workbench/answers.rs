@@ -214,7 +214,7 @@ impl Workbench {
     pub(crate) fn search(&mut self) {
         if self.loaded_session().is_empty() {
             let first = say!("Open a session that was measured on this robot");
-            return self.complain(first, [""; 0]);
+            return self.complain(first, None::<&str>);
         }
         // Asked for by its key it is seen as well.
         self.view.step = Step::Gap;

@@ -115,7 +115,7 @@ impl Workbench {
         let form = sheet.filter(|sheet| **sheet != Sheet::Compensation);
         if form.is_some_and(Sheet::holds_entries) {
             let first = say!("Finish or cancel the form, then drop the file again");
-            return self.complain(first, [""; 0]);
+            return self.complain(first, None::<&str>);
         }
         let is_document = |path: &&PathBuf| {
             let ending = path.extension();
@@ -131,7 +131,7 @@ impl Workbench {
             [file] => self.open_file(file.clone()),
             _ => self.complain(
                 say!("Drop one file at a time: a session, a model, a robot program, or a table of measurements"),
-                [""; 0],
+                None::<&str>,
             ),
         }
     }
