@@ -175,7 +175,7 @@ impl Gallery {
             press(&mut window, "heat map");
         }
         press(&mut window, "View");
-        press(&mut window, "Deviation around the angle");
+        press(&mut window, "Polar view");
         self.picture(&mut window, "polar")
     }
 }

@@ -14,7 +14,7 @@ use crate::gui::workbench::Workbench;
 use crate::present::units::Units;
 
 fn looks_at(now: &Workbench, plane: Plane) -> bool {
-    now.view.plane == plane && !now.view.in_space()
+    now.view.plane == plane && !now.view.in_space
 }
 
 fn dark(ctx: &Context) -> bool {
@@ -172,7 +172,7 @@ actions! {
         |bench, _| bench.choose_where_to_export(What::Session), [when(measured)];
     SAVE: COMMAND, S, |_| say!("Save session").into(), |bench, _| bench.save(), [when(measured)];
     SAVE_TO_PATH: SHIFTED, P, |_| say!("Save session to path…").into(),
-        |bench, _| bench.type_path(What::Session), [when(measured)];
+        |bench, _| bench.type_path(What::Session, &bench.proposed_path()), [when(measured)];
     SAVE_MODEL: COMMAND, M, |_| dots(say!("Save model")),
         |bench, _| bench.choose_where_to_export(What::Model), [when(answered)];
     COMPENSATE: SHIFTED, T, |_| say!("Compensate targets…").into(),
@@ -206,7 +206,7 @@ actions! {
         |bench, _| bench.prefer(Preferences { length: bench.view.preferences.next_length(), ..bench.view.preferences });
     OTHER_THEME: COMMAND, D, |_| say!("Light or dark").into(),
         |bench, ctx| bench.prefer(Preferences { theme: if dark(ctx) { Theme::Light } else { Theme::Dark }, ..bench.view.preferences });
-    RESULTS: COMMAND, B, |_| say!("Show or hide results").into(),
+    RESULTS: COMMAND, B, |_| say!("Results").into(),
         |bench, ctx| bench.view.results = Some(!layout(ctx, bench).results());
     LOOK_XY: SHIFTED, Num1, |_| say!("Workspace from above").into(),
         |bench, _| bench.view.look_in(Plane::Xy), [on(|now| looks_at(now, Plane::Xy))];
@@ -215,10 +215,10 @@ actions! {
     LOOK_YZ: SHIFTED, Num3, |_| say!("Workspace from the front").into(),
         |bench, _| bench.view.look_in(Plane::Yz), [on(|now| looks_at(now, Plane::Yz))];
     LOOK_AROUND: SHIFTED, Num4,
-        |_| say!("Deviation around the angle").into(), |bench, _| bench.show_chart("polar"),
+        |_| say!("Polar view").into(), |bench, _| bench.show_chart("polar"),
         [on(|now| now.shows("polar"))];
     LOOK_IN_SPACE: SHIFTED, Num5, |_| say!("Workspace in 3-D").into(),
-        |bench, _| bench.view.look_in_space(), [on(|now| now.view.in_space())];
+        |bench, _| bench.view.look_in_space(), [on(|now| now.view.in_space)];
     FIT: COMMAND, F, |_| say!("Show everything in the plots").into(),
         |bench, _| bench.view.fit();
     FIT_TOO: PLAIN, Home, |_| String::new(), |bench, _| bench.view.fit();
@@ -271,14 +271,10 @@ fn are_excluded(workbench: &Workbench) -> bool {
 fn exclude_says(now: &Workbench) -> String {
     match now.view.chosen()[..] {
         [] => capital(say!("exclude samples")),
-        [one] if are_excluded(now) => {
-            say!("Include sample {sample} again", sample = one + 1)
-        }
-        [one] => say!("Exclude sample {sample}", sample = one + 1),
         ref all if are_excluded(now) => {
-            say!("Include {count} samples again", count = all.len())
+            say!(one "Include {count} sample again", "Include {count} samples again", count = all.len())
         }
-        ref all => say!("Exclude {count} samples", count = all.len()),
+        ref all => say!(one "Exclude {count} sample", "Exclude {count} samples", count = all.len()),
     }
 }
 

@@ -9,7 +9,7 @@ use std::time::Duration;
 use egui::style::NumberFormatter;
 use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Rangef, Ui, ViewportCommand};
 
-use super::view::{NextAction, Preferences, Sheet, largest_zoom};
+use super::view::{NextAction, Preferences, largest_zoom};
 use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::{self, Palette, space};
@@ -169,16 +169,9 @@ impl App {
     /// `report`, `report of the model` or `targets`; for a picture the name of a plot, such as
     /// `workspace`; `data of` a chart for its numbers. Another name does nothing.
     pub fn type_path(&mut self, export: &str, path: &Path) {
-        let Some(what) = Workbench::export_named(export) else {
-            return;
-        };
-        let sheet = Sheet::Path {
-            what,
-            path: path.display().to_string(),
-            replace: false,
-        };
-        self.workbench
-            .execute(|bench| bench.show_sheet(Some(sheet)));
+        if let Some(what) = Workbench::export_named(export) {
+            self.workbench.execute(|bench| bench.type_path(what, path));
+        }
     }
 
     fn lay_out(&mut self, ui: &mut Ui) {

@@ -81,7 +81,7 @@ fn every_input_of_every_step_has_a_name() {
     press(&mut window, "2 Regions");
     press(&mut window, "Uniform");
     named(&window, "even regions");
-    press(&mut window, "Change region 1");
+    press(&mut window, "region 1: Edit");
     named(&window, "menu of a region");
 }
 
@@ -228,13 +228,13 @@ fn the_whole_work_can_be_done_with_the_keyboard() {
     let mut window = window::window(None);
     keys(&mut window, Modifiers::NONE, Key::F3);
     keys(&mut window, Modifiers::COMMAND, Key::Num2);
-    window.get_by_label("Change region 1").focus();
+    window.get_by_label("region 1: Edit").focus();
     window.run_steps(2);
     keys(&mut window, Modifiers::NONE, Key::Enter);
     window.get_by_label("Split in half").focus();
     window.run_steps(2);
     keys(&mut window, Modifiers::NONE, Key::Enter);
-    assert!(there(&window, "From, region 7"), "split by keys");
+    assert!(there(&window, "region 7: from"), "split by keys");
     keys(&mut window, Modifiers::COMMAND, Key::I);
     keys(&mut window, Modifiers::COMMAND, Key::Num5);
     window

@@ -183,7 +183,7 @@ fn a_file_of_the_controller_is_read_with_the_program() {
     until(&mut window, " → ");
     compensate(&mut window, &program);
     until(&mut window, "Compensate m.src");
-    press(&mut window, "Choose a file of the controller");
+    press(&mut window, "Choose…: Files of the controller");
     until(&mut window, "$config.dat");
     for of in ["Tool", "Frame"] {
         let says = format!("{of} of the program: as the program writes it");

@@ -117,8 +117,8 @@ fn paths_with_spaces_and_letters_of_any_language_are_written_and_read() {
     }
     let session = deep.join("mein session.json");
     window::open(&mut window, &session);
-    if there(&window, "Open without saving") {
-        press(&mut window, "Open without saving");
+    if there(&window, "Go on without saving") {
+        press(&mut window, "Go on without saving");
     }
     assert!(says(&window, "mein session.json"));
 }
@@ -348,7 +348,7 @@ fn recovery_and_preferences_on_a_full_disk_keep_what_they_had() {
     let settings = home.join("settings.json");
     let before = fs::read(&settings).expect("the preferences are kept");
     press(&mut window, "2 Regions");
-    press(&mut window, "Change region 2");
+    press(&mut window, "region 2: Edit");
     window.get_by_label_contains("Split in half").click();
     seconds(&mut window, 4);
     let kept = recovery_file(&home).expect("what is not saved is kept");
@@ -360,7 +360,7 @@ fn recovery_and_preferences_on_a_full_disk_keep_what_they_had() {
     press(&mut window, "3 Identify");
     press(&mut window, "Full model");
     press(&mut window, "2 Regions");
-    press(&mut window, "Change region 1");
+    press(&mut window, "region 1: Edit");
     window.get_by_label_contains("Split in half").click();
     seconds(&mut window, 4);
     assert!(says(&window, "Not everything could be saved for recovery"));
@@ -382,7 +382,7 @@ fn a_file_that_vanished_before_it_is_saved_is_written_again() {
     let mut window = window_at(Some(session.clone()), None);
     press(&mut window, "2 Regions");
     press(&mut window, "Uniform");
-    press(&mut window, "Change region 2");
+    press(&mut window, "region 2: Edit");
     window.get_by_label_contains("Split in half").click();
     window.run_steps(4);
     fs::remove_file(&session).expect("removed");
@@ -403,7 +403,7 @@ fn a_folder_that_vanished_says_so_and_the_session_stays_unsaved() {
     let mut window = window_at(Some(session), None);
     press(&mut window, "2 Regions");
     press(&mut window, "Uniform");
-    press(&mut window, "Change region 2");
+    press(&mut window, "region 2: Edit");
     window.get_by_label_contains("Split in half").click();
     window.run_steps(4);
     fs::remove_dir_all(&inner).expect("removed");

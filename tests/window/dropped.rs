@@ -58,7 +58,7 @@ fn of_several_files_none_is_opened_and_it_is_said() {
     let walk = bundled("walk-through");
     let (points, commands) = (walk.join("tracker.txt"), walk.join("commands.csv"));
     drop_on(&mut window, &[&points, &commands]);
-    assert!(says(&window, "2 files were dropped: none was opened"));
+    assert!(says(&window, "Drop one file at a time"));
     assert_eq!(status(&window), before);
     assert!(!there(&window, "Import"));
     press(&mut window, "Dismiss");
@@ -66,7 +66,7 @@ fn of_several_files_none_is_opened_and_it_is_said() {
     assert!(there(&window, "Import"), "alone it is looked at");
     // What was entered is not lost to a file that falls on the form.
     drop_on(&mut window, &[&commands]);
-    assert!(says(&window, "is not opened over a form"));
+    assert!(says(&window, "Finish or cancel the form"));
     assert!(says(&window, "tracker.txt"));
 }
 

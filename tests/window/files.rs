@@ -63,7 +63,7 @@ fn a_change_is_not_lost_by_opening_something_else() {
     let mut window = window_at(Some(session.clone()), None);
     divide(&mut window);
     keys(&mut window, Modifiers::NONE, Key::F2);
-    assert!(says(&window, "Open without saving?"));
+    assert!(says(&window, "Go on without saving?"));
     assert!(says(&window, "are not in its file, paper-30.json"));
     press(&mut window, "Cancel");
     assert!(
@@ -117,8 +117,8 @@ fn closing_asks_and_leaves_when_told_to() {
     let kept = || fs::read_dir(home.join("recovery")).map_or(0, Iterator::count);
     assert_eq!(kept(), 2, "the file and its lock");
     keys(&mut window, Modifiers::COMMAND, Key::Q);
-    assert!(says(&window, "Leave without saving?"));
-    press(&mut window, "Leave without saving");
+    assert!(says(&window, "Go on without saving?"));
+    press(&mut window, "Go on without saving");
     assert_eq!(kept(), 0, "who leaves on purpose leaves nothing behind");
 }
 
@@ -270,7 +270,7 @@ fn what_was_not_saved_when_the_program_was_killed_is_offered_and_comes_back() {
     let mut window = window_at(None, Some(&home));
     let mut second = window_at(None, Some(&home));
     assert!(says(&window, "Recover unsaved work"));
-    assert!(says(&window, "less than a minute ago") && says(&window, "paper-30.json"));
+    assert!(says(&window, "0 minutes ago") && says(&window, "paper-30.json"));
     assert!(!says(&second, "Recover unsaved work"));
     second.run_steps(2);
     press(&mut window, "Restore");

@@ -56,7 +56,7 @@ fn the_whole_job_from_a_file_to_a_table_and_back() {
     assert!(window.query_by_label("boundary at 30°").is_none());
 
     // One gesture, one step back and forth.
-    window.get_by_label("Undo move boundary").click();
+    window.get_by_label("Undo change regions").click();
     window.run_steps(4);
     window.get_by_label("boundary at 30°");
     window.key_press_modifiers(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
@@ -110,11 +110,11 @@ fn a_boundary_moves_with_the_keys_and_stands_in_a_field() {
     window.key_press_modifiers(Modifiers::SHIFT, Key::ArrowDown);
     window.run_steps(3);
     window.get_by_label("boundary at 45.5°");
-    let field = window.get_by_label("To, region 4");
+    let field = window.get_by_label("region 4: to");
     field.focus();
     window.run_steps(2);
     window.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    window.get_by_label("To, region 4").type_text("62");
+    window.get_by_label("region 4: to").type_text("62");
     window.run_steps(2);
     window.key_press(Key::Enter);
     window.run_steps(3);

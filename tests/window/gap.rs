@@ -100,14 +100,14 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
 
     // One step back for each.
     for (undo, expected) in [
-        ("Undo switch effect on", identified),
-        ("Undo switch effect off", explained),
-        ("Undo add to model", identified),
+        ("Undo choose effects", identified),
+        ("Undo choose effects", explained),
+        ("Undo choose effects", identified),
     ] {
         press(&mut window, undo);
         assert!((gap_mm(&window) - expected).abs() < 1e-3, "{undo}");
     }
-    press(&mut window, "Redo add to model");
+    press(&mut window, "Redo choose effects");
 
     // The table follows: it knows both sides now.
     press(&mut window, "5 Export");
@@ -135,7 +135,7 @@ fn what_the_guide_of_a_gantry_does_is_added_switched_off_and_undone() {
     assert!(says(&window, "Continue to export"));
     press(&mut window, "in the model");
     assert!((gap_mm(&window) - identified).abs() < 1e-3);
-    press(&mut window, "Undo switch effect off");
+    press(&mut window, "Undo choose effects");
     assert!((gap_mm(&window) - predicted).abs() < 1e-3);
 }
 
@@ -305,11 +305,11 @@ fn what_no_name_explains_is_corrected_without_a_name_and_taken_back() {
     let named = gap_mm(&window);
     assert!(named > 1.3 * corrected && named < identified, "{named}");
     assert!(!says(&window, "with unexplained"));
-    press(&mut window, "Undo switch effect off");
+    press(&mut window, "Undo choose effects");
     assert!((gap_mm(&window) - corrected).abs() < 1e-3);
-    press(&mut window, "Undo add to model");
+    press(&mut window, "Undo choose effects");
     assert!((gap_mm(&window) - identified).abs() < 1e-3);
-    press(&mut window, "Redo add to model");
+    press(&mut window, "Redo choose effects");
 
     // The table carries it, and says which part of it has no name.
     press(&mut window, "5 Export");

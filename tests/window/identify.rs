@@ -47,7 +47,7 @@ fn an_effect_more_makes_the_gap_smaller_and_one_step_back_takes_it_out() {
 #[test]
 fn what_the_session_cannot_show_is_said_with_the_reason() {
     let mut window = identified();
-    press(&mut window, "1 that this session cannot show");
+    press(&mut window, "1 not testable, and why");
     assert!(says(&window, "gravity is along the axis"));
 }
 

@@ -52,8 +52,8 @@ fn a_boundary_that_is_dragged_quickly_moves_and_the_plot_stays() {
     let stays = middle(&window, "boundary at 100°");
     // The answer that follows takes a row above the plot; a pan would be as far as the hand went.
     assert!(stays.distance(other) < 4.0, "{other} {stays}");
-    assert!(there(&window, "Undo move boundary"));
-    press(&mut window, "Undo move boundary");
+    assert!(there(&window, "Undo change regions"));
+    press(&mut window, "Undo change regions");
     assert!(there(&window, "boundary at 0°"), "in one step");
 }
 
@@ -74,7 +74,7 @@ fn boundaries_are_dragged_in_the_chart_as_well() {
             window.run_steps(4);
         }
         assert!(!there(&window, "boundary at 50°"), "in the plot too");
-        press(&mut window, "Undo move boundary");
+        press(&mut window, "Undo change regions");
         assert!(there(&window, "in the chart, boundary at 50°"));
     }
     go_to(&mut window, "Identify");
@@ -151,7 +151,7 @@ fn what_the_table_leaves_is_one_figure_wherever_it_is_said() {
     go_to(&mut window, "Diagnose");
     assert!(status(&window).contains("with the table 1.40 mm"));
     // Another model has another table.
-    press(&mut window, "Undo add to model");
+    press(&mut window, "Undo choose effects");
     assert!(!status(&window).contains("with the table"));
     keys(&mut window, Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
 

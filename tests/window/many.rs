@@ -115,8 +115,8 @@ fn the_heat_map_is_switched_in_the_bar() {
     let mut window = window(None);
 
     let choose = |window: &mut Window, name: &str| {
-        if !there(window, "Length of vectors") {
-            press(window, "How it is drawn");
+        if !there(window, "vectors") {
+            press(window, "display …");
         }
         let named = window.get_all_by_label(name).last();
         named.expect("offered").click();

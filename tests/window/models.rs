@@ -24,7 +24,10 @@ fn a_model_opens_by_itself_and_gives_its_table() {
     let folder = tempfile::tempdir().expect("a folder");
     let model = model_of("paper-run.json", folder.path());
     let mut window = window(Some(model));
-    assert!(says(&window, "open a session measured on this robot"));
+    assert!(says(
+        &window,
+        "Open a session that was measured on this robot"
+    ));
     window.get_by_label("Model from a file");
     window.get_by_label("Identified parameters");
     window.get_by_label("workspace plot, 0 samples");

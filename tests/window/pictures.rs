@@ -103,7 +103,7 @@ fn the_heat_map_in_light() {
     let Some(mut window) = window(Theme::Light, None) else {
         return;
     };
-    press(&mut window, "How it is drawn");
+    press(&mut window, "display …");
     press(&mut window, "heat map");
     looks_like(&mut window, "layers-light");
 }
@@ -212,7 +212,7 @@ fn the_polar_view_in_light() {
     press(&mut window, "3 Identify");
     press(&mut window, "Identify");
     press(&mut window, "View");
-    press(&mut window, "Deviation around the angle");
+    press(&mut window, "Polar view");
     looks_like(&mut window, "polar-light");
 }
 

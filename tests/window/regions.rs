@@ -20,8 +20,8 @@ fn value(window: &Window, label: &str) -> String {
 
 /// From and to of a region, as its fields say it.
 fn ends(window: &Window, region: &str) -> (String, String) {
-    let of = |end: &str| value(window, &format!("{end}, region {region}"));
-    (of("From"), of("To"))
+    let of = |end: &str| value(window, &format!("region {region}: {end}"));
+    (of("from"), of("to"))
 }
 
 fn pair(from: &str, to: &str) -> (String, String) {
@@ -30,7 +30,7 @@ fn pair(from: &str, to: &str) -> (String, String) {
 
 /// Uses a region's menu.
 fn with_region(window: &mut Window, region: &str, what: &str) {
-    press(window, &format!("Change region {region}"));
+    press(window, &format!("region {region}: Edit"));
     window.get_by_label_contains(what).click();
     window.run_steps(4);
 }
@@ -41,7 +41,7 @@ fn the_number_of_even_regions_is_taken_at_once_and_undone_in_one_step() {
     press(&mut window, "Uniform");
     type_into(&mut window, "Number of regions", "4");
     assert_eq!(ends(&window, "4"), pair("75", "150"));
-    assert!(there(&window, "To, region 4") && !there(&window, "To, region 5"));
+    assert!(there(&window, "region 4: to") && !there(&window, "region 5: to"));
     assert!(says(&window, "Correction of each region"));
     keys(&mut window, Modifiers::COMMAND, Key::Z);
     assert_eq!(ends(&window, "6"), pair("100", "150"));
@@ -58,7 +58,7 @@ fn only_regions_made_by_hand_are_led_to() {
     );
     assert!(says(&window, "Effects to fit"), "the next step is");
     press(&mut window, "2 Regions");
-    type_into(&mut window, "Name of region 1", "left");
+    type_into(&mut window, "region 1: name", "left");
     keys(&mut window, Modifiers::COMMAND, Key::Enter);
     assert!(says(&window, "Correction of each region"));
     keys(&mut window, Modifiers::COMMAND, Key::Z);
@@ -81,7 +81,7 @@ fn the_adaptive_division_says_what_it_decided_and_can_be_edited() {
     ));
     assert!(says(&window, "They leave"));
     let (_, to) = ends(&window, "1");
-    type_into(&mut window, "To, region 1", "-120.5");
+    type_into(&mut window, "region 1: to", "-120.5");
     assert_eq!(ends(&window, "1").1, "−120.5");
     assert!(
         !says(&window, "They leave"),
@@ -95,14 +95,14 @@ fn the_adaptive_division_says_what_it_decided_and_can_be_edited() {
 #[test]
 fn a_boundary_that_is_typed_moves_both_regions_and_the_answer_and_is_one_step_of_undo() {
     let mut window = regions();
-    type_into(&mut window, "To, region 2", "-45");
+    type_into(&mut window, "region 2: to", "-45");
     assert_eq!(ends(&window, "2"), pair("−100", "−45"));
     assert_eq!(ends(&window, "3").0, "−45");
     assert!(says(&window, "Correction of each region"));
     keys(&mut window, Modifiers::COMMAND, Key::Z);
     assert_eq!(ends(&window, "2").1, "−50");
     assert!(
-        !there(&window, "Undo move boundary"),
+        !there(&window, "Undo change regions"),
         "one step back was all"
     );
 }
@@ -111,10 +111,10 @@ fn a_boundary_that_is_typed_moves_both_regions_and_the_answer_and_is_one_step_of
 fn a_boundary_that_is_typed_stops_at_its_neighbours_and_what_is_no_angle_is_refused() {
     let mut window = regions();
     for (field, text, stands) in [
-        ("To, region 2", "20", "−0.5"),
-        ("From, region 3", "-100", "−99.5"),
-        ("To, region 6", "190", "150"),
-        ("To, region 1", "-5o", "−100"),
+        ("region 2: to", "20", "−0.5"),
+        ("region 3: from", "-100", "−99.5"),
+        ("region 6: to", "190", "150"),
+        ("region 1: to", "-5o", "−100"),
     ] {
         type_into(&mut window, field, text);
         assert_eq!(value(&window, field), stands, "{field} {text}");
@@ -126,13 +126,13 @@ fn a_boundary_that_is_typed_stops_at_its_neighbours_and_what_is_no_angle_is_refu
 fn a_region_that_is_deleted_leaves_a_gap_into_which_nothing_may_overlap() {
     let mut window = regions();
     with_region(&mut window, "3", "Delete");
-    assert!(!there(&window, "From, region 3"));
-    assert!(says(&window, "−50° … 0°: in no region; "));
-    type_into(&mut window, "To, region 2", "10");
+    assert!(!there(&window, "region 3: from"));
+    assert!(says(&window, "−50° … 0°: in no region"));
+    type_into(&mut window, "region 2: to", "10");
     assert_eq!(ends(&window, "2").1, ends(&window, "4").0, "they touch");
     // The gap is closed, and the two share their boundary from then on.
     assert!(!says(&window, "in no region"));
-    type_into(&mut window, "To, region 2", "5");
+    type_into(&mut window, "region 2: to", "5");
     assert_eq!(ends(&window, "4").0, "5");
 }
 
@@ -141,22 +141,22 @@ fn regions_are_split_merged_and_renamed() {
     let mut window = regions();
     with_region(&mut window, "2", "Split in half");
     assert_eq!(ends(&window, "7"), pair("−75", "−50"));
-    with_region(&mut window, "2", "Merge with next");
+    with_region(&mut window, "2", "Merge with neighbour");
     assert_eq!(ends(&window, "2"), pair("−100", "−50"));
-    assert!(!there(&window, "From, region 7"));
+    assert!(!there(&window, "region 7: from"));
 
-    with_region(&mut window, "6", "Merge with previous");
+    with_region(&mut window, "6", "Merge with neighbour");
     assert_eq!(
         ends(&window, "5"),
         pair("50", "150"),
         "the last goes to the one before"
     );
     with_region(&mut window, "5", "Delete");
-    assert!(!there(&window, "From, region 5"));
-    window.get_by_label("Name of region 1").focus();
+    assert!(!there(&window, "region 5: from"));
+    window.get_by_label("region 1: name").focus();
     window.run_steps(2);
     keys(&mut window, Modifiers::COMMAND, Key::A);
-    window.get_by_label("Name of region 1").type_text("parking");
+    window.get_by_label("region 1: name").type_text("parking");
     window.run_steps(2);
     keys(&mut window, Modifiers::NONE, Key::Enter);
     assert_eq!(ends(&window, "parking"), pair("−150", "−100"));
@@ -165,7 +165,7 @@ fn regions_are_split_merged_and_renamed() {
 #[test]
 fn two_regions_cannot_have_one_name() {
     let mut window = regions();
-    type_into(&mut window, "Name of region 1", "2");
+    type_into(&mut window, "region 1: name", "2");
     assert!(says(&window, "2 is taken; choose another name"));
     assert_eq!(ends(&window, "1"), pair("−150", "−100"));
 }
@@ -173,7 +173,7 @@ fn two_regions_cannot_have_one_name() {
 #[test]
 fn the_samples_of_a_region_are_shown_in_plot_and_table() {
     let mut window = regions();
-    press(&mut window, "Show the 40 samples of region 1");
+    press(&mut window, "region 1: 40 samples");
     assert!(says(&window, "angle, °"), "the table is there");
     assert!(says(&window, "−150"), "and in it the first of them");
 }
@@ -182,7 +182,7 @@ fn the_samples_of_a_region_are_shown_in_plot_and_table() {
 fn a_region_with_no_sample_or_one_says_so_in_words() {
     let mut window = regions();
     // Samples stand 11.25° apart: what lies between two of them is empty.
-    type_into(&mut window, "To, region 1", "-149");
+    type_into(&mut window, "region 1: to", "-149");
     press(&mut window, "Uniform");
     type_into(&mut window, "Number of regions", "60");
     assert!(says(
@@ -228,10 +228,10 @@ fn a_long_name_pushes_nothing_out_of_the_window() {
     press(&mut window, "2 Regions");
     press(&mut window, "Manual");
     let name = "left side; a very long name of a region that goes on and on";
-    type_into(&mut window, "Name of region 1", name);
+    type_into(&mut window, "region 1: name", name);
     press(&mut window, "Identify by region");
     press(&mut window, "2 Regions");
-    assert!(there(&window, &format!("Name of region {name}")));
+    assert!(there(&window, &format!("region {name}: name")));
     let whole = window.ctx.content_rect();
     let heads = ["region", "Δθ, °", "Δl1, mm", "RMS error, mm"];
     let heads = heads.map(|head| window.get_by_label(head).rect());

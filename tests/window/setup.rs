@@ -57,11 +57,11 @@ fn what_makes_no_robot_is_said_and_changes_nothing() {
     let (_folder, _, mut window) = opened();
     let before = gaps(&window);
     form(&mut window, None);
-    type_into(&mut window, "axis z of joint 1", "0");
+    type_into(&mut window, "joint 1: axis z", "0");
     assert!(says(&window, "no direction"));
     press(&mut window, "Use it here");
     assert!(there(&window, "Use it here"), "it cannot be used");
-    type_into(&mut window, "axis z of joint 1", "1");
+    type_into(&mut window, "joint 1: axis z", "1");
     assert!(!says(&window, "no direction"));
     // As it was: nothing is to be undone.
     press(&mut window, "Use it here");
@@ -70,7 +70,7 @@ fn what_makes_no_robot_is_said_and_changes_nothing() {
     // A session has a value of each joint: none is added.
     form(&mut window, None);
     press(&mut window, "Add a joint");
-    assert!(!there(&window, "Name of joint 2"));
+    assert!(!there(&window, "joint 2: name"));
     type_into(&mut window, "Tool x", "1");
     keys(&mut window, Modifiers::NONE, Key::Escape);
     assert!(says(&window, "Discard what was typed?"));
@@ -96,16 +96,16 @@ fn noise_is_unknown_one_number_or_three_and_a_comma_is_as_good_as_a_point() {
 fn a_joint_has_a_name_limits_and_a_mass() {
     let (_folder, session, mut window) = opened();
     form(&mut window, Some("Masses of links"));
-    type_into(&mut window, "Travel of joint 1, to", "60");
-    type_into(&mut window, "Travel of joint 1, from", "75");
+    type_into(&mut window, "joint 1: to", "60");
+    type_into(&mut window, "joint 1: from", "75");
     assert!(says(&window, "from the smaller to the larger"));
-    type_into(&mut window, "Travel of joint 1, from", "-60");
+    type_into(&mut window, "joint 1: from", "-60");
     let mass = "Mass 1";
     if !there(&window, mass) {
         press(&mut window, "The mass of link 1 is known");
     }
     type_into(&mut window, mass, "4.5");
-    type_into(&mut window, "Name of joint 1", "lamp");
+    type_into(&mut window, "joint 1: name", "lamp");
     let saved = saved(&mut window, &session);
     let joint = &saved.robot.joints[0];
     assert_eq!(joint.name, "lamp");
@@ -119,9 +119,9 @@ fn a_reflector_is_added_and_taken_away_again() {
     let (_folder, session, mut window) = opened();
     form(&mut window, Some("Reflectors"));
     press(&mut window, "Add a reflector");
-    assert!(there(&window, "Name of reflector 2"));
+    assert!(there(&window, "Reflector 2"));
     press(&mut window, "Remove the last reflector");
-    assert!(!there(&window, "Name of reflector 2"));
+    assert!(!there(&window, "Reflector 2"));
     press(&mut window, "Add a reflector");
     type_into(&mut window, "Reflector 2 z", "12");
     let targets = saved(&mut window, &session).targets;

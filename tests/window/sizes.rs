@@ -549,7 +549,7 @@ fn whatever_has_the_keyboard_shows_it_and_tab_reaches_every_control_of_a_step() 
         "Simulate session…",
         "Continue to regions",
         "Hide results",
-        "How it is drawn",
+        "display …",
         "Samples",
     ] {
         assert!(reached.contains(name), "{name} is not among {reached:?}");

@@ -125,7 +125,7 @@ fn a_diagnosis_ends_with_what_it_is_about_and_that_is_said() {
     press(&mut window, "Samples");
     press(&mut window, "row 3, number");
     keys(&mut window, Modifiers::COMMAND, Key::G);
-    until(&mut window, "searching");
+    until(&mut window, "Diagnosis is running");
     keys(&mut window, Modifiers::NONE, Key::Delete);
     assert!(says(&window, ended));
 }

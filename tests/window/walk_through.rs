@@ -84,7 +84,7 @@ fn from_the_trackers_file_to_the_signed_report() {
     press(&mut window, "2 Regions");
     press(&mut window, "Identify by region");
     press(&mut window, "2 Regions");
-    assert!(says(&window, "To, region 6"), "each has its boundaries");
+    assert!(says(&window, "region 6: to"), "each has its boundaries");
 
     let (_, regional) = gaps(&window);
     let regional = regional.expect("the regions are identified at once");

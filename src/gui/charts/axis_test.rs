@@ -20,14 +20,14 @@ const ID: &str = "deviation over position";
 
 impl ChartKind for OfAxis {
     fn about(&self) -> About {
-        let names = [phrase!("position"), phrase!("Deviation over position")];
+        let name = phrase!("Deviation over position");
         let word = Word {
-            name: phrase!("Deviation over position"),
+            name,
             means: phrase!(
                 "The picture that a laser's software shows: the deviation along the motion of one axis, a line for each run, whole where the position was approached in positive direction and dashed in negative. The thick line is what the table corrects, with the interval that holds it in 19 of 20 calibrations; what the model leaves is the same runs without it"
             ),
         };
-        About::new(ID, names, word, ChartChoice::Axis)
+        About::new(ID, name, word, ChartChoice::Axis)
     }
 
     /// Where the sides are known: a run has a direction.
@@ -59,7 +59,7 @@ impl ChartKind for OfAxis {
         let scale = over.scale(&scene.loaded_session, scene.units, 0.0);
         let label = over.label(&scene.loaded_session);
         let unit = unit(scene, axis);
-        let stage = if scene.only_after() {
+        let stage = if scene.only_after {
             AxisStage::Predicted
         } else {
             AxisStage::Both

@@ -6,25 +6,20 @@ use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene,
 use crate::compensation::SortedTable;
 use crate::gui::cache::ExportPreview;
 use crate::gui::core::overview::{MOST_POINTS, stride, thinned};
+use crate::gui::core::quantity::Scale;
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::kinematics::JointKind;
 use crate::present::chart::{Axis, Chart, ColourRole, Item, LEAST_SPAN};
 use crate::present::table::{Table, cell};
-use crate::present::units::{AngleUnit, Units};
-use crate::units::rad_from_deg;
+use crate::present::units::Units;
 
 pub(crate) struct Correction;
 
 impl ChartKind for Correction {
     fn about(&self) -> About {
-        let names = [phrase!("table"), phrase!("Correction table")];
-        About::new(
-            "correction table",
-            names,
-            help::CORRECTION,
-            ChartChoice::All,
-        )
+        let name = phrase!("correction table");
+        About::new("correction table", name, help::CORRECTION, ChartChoice::All)
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {
@@ -93,14 +88,8 @@ fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>, least: f64) -> [f64; 2] 
 /// The curve; `None` where the export has no table.
 fn chart(made: &ExportPreview, units: Units) -> Option<Chart> {
     let table = made.export.reads_as.as_ref()?;
-    let turns = table.kind == JointKind::Revolute;
-    let (factor, unit) = if turns {
-        let unit = units.angle_name().trim();
-        (units.angle_value(rad_from_deg(1.0)), unit)
-    } else {
-        (units.length_value(1.0), units.length_name())
-    };
-    let degrees = turns && units.angle == AngleUnit::Degree;
+    let scale = Scale::of_joint(units, table.kind == JointKind::Revolute);
+    let factor = scale.shown(table.kind.to_base_units(1.0));
     let (forward, reverse) = (curve(&table.forward, factor), curve(&table.reverse, factor));
     let [low, high] = span(forward.iter().chain(&reverse), factor * LEAST_SPAN);
     let from = forward.first().map_or(0.0, |p| p[0]);
@@ -116,13 +105,13 @@ fn chart(made: &ExportPreview, units: Units) -> Option<Chart> {
     };
     let notes = std::iter::once(says.to_owned()).chain(thinned(
         every,
-        phrase!("one entry in {stride} shown"; stride),
+        phrase!("one point in {stride} shown"; stride),
     ));
     items.push(Item::Line(forward, ColourRole::After, 2.0, false));
     Some(Chart {
         title: say!("correction table").to_owned(),
-        across: Axis::turning(format!("{}, {unit}", made.joint), degrees),
-        upwards: Axis::numbers(say!("correction, {unit}", unit)),
+        across: scale.axis(&made.joint),
+        upwards: Axis::numbers(say!("correction, {unit}", unit = scale.unit)),
         bounds: [[from - beside, low - by], [to + beside, high + by]],
         items,
         legend: Vec::new(),

@@ -24,36 +24,33 @@ pub(crate) struct Along {
     about: About,
 }
 
-const fn along(variable: Variable, id: &'static str, names: [Template; 2], word: Word) -> Along {
-    let about = About::new(id, names, word, ChartChoice::Joint);
+const fn along(variable: Variable, id: &'static str, name: Template, word: Word) -> Along {
+    let about = About::new(id, name, word, ChartChoice::Joint);
     Along { variable, about }
 }
 
 pub(crate) static ANGLE: Along = along(
     Variable::Joint,
     "deviation",
-    [phrase!("angle"), phrase!("Deviation over angle")],
+    phrase!("Deviation over angle"),
     help::DEVIATION,
 );
 pub(crate) static TIME: Along = along(
     Variable::Time,
     "deviation over time",
-    [phrase!("time"), phrase!("Deviation over time")],
+    phrase!("Deviation over time"),
     help::OVER_TIME,
 );
 pub(crate) static LOAD: Along = along(
     Variable::Load,
     "deviation over load",
-    [phrase!("load"), phrase!("Deviation over load")],
+    phrase!("Deviation over load"),
     help::OVER_LOAD,
 );
 pub(crate) static TEMPERATURE: Along = along(
     Variable::Temperature,
     "deviation over temperature",
-    [
-        phrase!("temperature"),
-        phrase!("Deviation over temperature"),
-    ],
+    phrase!("Deviation over temperature"),
     help::OVER_TEMPERATURE,
 );
 
@@ -85,7 +82,7 @@ impl ChartKind for Along {
             Variable::Joint => say!("deviation chart, {component}", component),
             _ => say!(
                 "{chart} chart, {component}",
-                chart = within(self.about.name()),
+                chart = within(&self.about.name()),
                 component
             ),
         };
@@ -108,7 +105,7 @@ impl ChartKind for Along {
         for sample in scene.usable() {
             let [before, after] = [0, 1].map(|when| scene.value(when, sample));
             let x = over.cell(session, over.of(session, sample));
-            let side = over.side(session, sample);
+            let side = session.side(over.joint, sample);
             let numbers = [x, side, before, after].map(Cell::from);
             table.row([Cell::from(sample + 1)].into_iter().chain(numbers));
         }
@@ -245,7 +242,7 @@ impl Seen {
     /// What is drawn: before, after, or both.
     pub(crate) fn whens(&self) -> impl Iterator<Item = When> + use<> {
         let after = self.scene.answer().is_some();
-        let before = !(after && self.scene.only_after());
+        let before = !(after && self.scene.only_after);
         [(0, before), (1, after)]
             .into_iter()
             .filter_map(|(when, seen)| seen.then_some(when))
@@ -267,7 +264,7 @@ impl Seen {
     }
 
     pub(crate) fn form(&self, sample: usize) -> Form {
-        Form::of_side(self.over.side(&self.scene.loaded_session, sample))
+        Form::of_side(self.scene.loaded_session.side(self.over.joint, sample))
     }
 
     /// Whether any mark points to a side.

@@ -33,8 +33,8 @@ fn proposed(scene: &Scene) -> &[ResidualStep] {
 
 impl ChartKind for Gap {
     fn about(&self) -> About {
-        let names = [phrase!("gap"), phrase!("Gap by step")];
-        About::new("gap by step", names, help::GAP, ChartChoice::All)
+        let name = phrase!("Gap by step");
+        About::new("gap by step", name, help::GAP, ChartChoice::All)
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {
@@ -55,11 +55,9 @@ impl ChartKind for Gap {
         let chart = gap(steps, proposed, floor_mm, tolerance_mm, lengths);
         let mut chart =
             chart.ok_or(ChartPlaceholder::new(say!("nothing is identified yet"), ""))?;
-        chart.note = if proposed.is_empty() {
-            say!("RMS over the fitted samples").to_owned()
-        } else {
-            say!("outlined: not in the model").to_owned()
-        };
+        if !proposed.is_empty() {
+            say!("outlined: not in the model").clone_into(&mut chart.note);
+        }
         let says = |s: &ResidualStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
         let says: Vec<String> = steps.iter().chain(proposed).map(says).collect();
         Ok(Shown {

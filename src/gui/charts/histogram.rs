@@ -11,7 +11,7 @@ use crate::gui::help;
 use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
 use crate::present::chart::{Axis, Chart, ChartText, ColourRole, Item, LegendSymbol};
 use crate::present::drawing::Anchor;
-use crate::present::numbers::{grouped, significant};
+use crate::present::numbers::grouped;
 use crate::present::table::{Cell, Table};
 use crate::sessions::Sigma;
 use crate::text::capital;
@@ -27,8 +27,8 @@ pub(crate) struct Histogram;
 
 impl ChartKind for Histogram {
     fn about(&self) -> About {
-        let names = [phrase!("histogram"), phrase!("Histogram")];
-        About::new("histogram", names, help::HISTOGRAM, ChartChoice::Component)
+        let name = help::HISTOGRAM.name;
+        About::new("histogram", name, help::HISTOGRAM, ChartChoice::Component)
     }
 
     fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
@@ -39,7 +39,7 @@ impl ChartKind for Histogram {
             description: describe(scene, &found),
             pointed: HoverTarget::Bars(Box::new(DrawnBars {
                 scene: Arc::clone(scene),
-                counted: found.shown(scene.only_after()).clone(),
+                counted: found.shown(scene.only_after).clone(),
             })),
         })
     }
@@ -49,7 +49,7 @@ impl ChartKind for Histogram {
         let Ok(found) = distribution(scene) else {
             return table;
         };
-        let counted = found.shown(scene.only_after());
+        let counted = found.shown(scene.only_after);
         let noise = noise(scene);
         let samples = found.sizes_before.within(0.0).1;
         for bin in 0..counted.bins.count {
@@ -103,11 +103,9 @@ impl Bars for DrawnBars {
         let [from, to] = bins.ends(bin).map(|mm| units.length_number(mm));
         let line = |name: &str, n: Option<usize>| Some((name.to_owned(), n?.to_string()));
         let lines = [line(say!("before"), before), line(say!("after"), after)];
-        let mut lines: Vec<_> = lines.into_iter().flatten().collect();
-        lines.push((say!("click").to_owned(), say!("marks them").to_owned()));
         Some(Facts {
             title: format!("{from} … {to} {}", units.length_name()),
-            lines,
+            lines: lines.into_iter().flatten().collect(),
             samples: self.scene.usable().filter(here).collect(),
         })
     }
@@ -156,7 +154,7 @@ fn curve(scene: &Scene, bins: &Bins) -> Option<NoiseCurve> {
 fn drawn(scene: &Scene, found: &Distribution) -> Chart {
     let units = scene.units;
     let value = |mm: f64| units.length_value(mm);
-    let counted = found.shown(scene.only_after());
+    let counted = found.shown(scene.only_after);
     let bins = counted.bins;
     let series = [
         (&counted.before, ColourRole::Before, false),
@@ -219,7 +217,7 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
     }
     let name = component.name();
     Chart {
-        title: say!("samples by {name} deviation", name),
+        title: title(scene),
         across: Axis::numbers(say!(
             "{name} deviation, {units}",
             name,
@@ -231,6 +229,10 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         legend,
         note: note(scene, found, counted),
     }
+}
+
+fn title(scene: &Scene) -> String {
+    say!("samples by {name} deviation", name = scene.component.name())
 }
 
 fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
@@ -262,19 +264,13 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
             count = counted.beyond
         ));
     }
-    let width = significant(units.length_value(counted.bins.width_mm), 2);
-    notes.push(say!(
-        "bars {width} {unit} wide, as the spread of the samples asks for",
-        width,
-        unit = units.length_name()
-    ));
     notes.join(" · ")
 }
 
 /// What is seen, in words.
 fn describe(scene: &Scene, found: &Distribution) -> String {
     let units = scene.units;
-    let counted = found.shown(scene.only_after());
+    let counted = found.shown(scene.only_after);
     let tallest = |counts: &Option<Vec<usize>>| {
         let counts = counts.as_ref()?;
         let bin = (0..counts.len()).max_by_key(|bin| counts[*bin])?;
@@ -286,10 +282,7 @@ fn describe(scene: &Scene, found: &Distribution) -> String {
             to
         ))
     };
-    let mut says = say!(
-        "how many samples have which {component} deviation",
-        component = scene.component.name()
-    );
+    let mut says = title(scene);
     for (name, counts) in [
         (say!("before"), &counted.before),
         (say!("after"), &counted.after),

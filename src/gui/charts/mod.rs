@@ -12,12 +12,12 @@ use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
 use crate::gui::core::search::Search;
 use crate::gui::help::Word;
-use crate::gui::view::{Plane, Step};
+use crate::gui::view::Step;
 use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Lengths};
 use crate::present::numbers::Notation;
 use crate::present::table::Table;
 use crate::present::units::Units;
-use crate::text::{Language, Template, spoken};
+use crate::text::{Language, Template, capital, spoken};
 
 macro_rules! register {
     ($($file:ident: $($chart:ident),*;)*) => {
@@ -44,8 +44,7 @@ register! {
 pub(crate) struct About {
     /// What it is: what its picture is called, as it stands within a sentence.
     pub(crate) id: &'static str,
-    /// Its name where there is little room, and in full.
-    names: [Template; 2],
+    name: Template,
     /// What its question mark explains; the glossary lists it.
     pub(crate) word: Word,
     /// What is chosen for it.
@@ -66,23 +65,12 @@ pub(crate) enum ChartChoice {
 }
 
 impl About {
-    /// `names` are that of the list and that of the plot.
-    const fn new(id: &'static str, names: [Template; 2], word: Word, of: ChartChoice) -> Self {
-        Self {
-            id,
-            names,
-            word,
-            of,
-        }
+    const fn new(id: &'static str, name: Template, word: Word, of: ChartChoice) -> Self {
+        Self { id, name, word, of }
     }
 
-    /// Its name where there is little room.
-    pub(crate) fn short(&self) -> &'static str {
-        spoken(self.names[0])
-    }
-
-    pub(crate) fn name(&self) -> &'static str {
-        spoken(self.names[1])
+    pub(crate) fn name(&self) -> String {
+        capital(spoken(self.name))
     }
 }
 
@@ -118,12 +106,12 @@ pub(crate) struct ChartPlaceholder {
     /// In one line.
     pub(crate) title: String,
     /// What to log or to do, and what for.
-    pub(crate) why: &'static str,
+    pub(crate) why: String,
 }
 
 impl ChartPlaceholder {
-    pub(crate) fn new(title: impl Into<String>, why: &'static str) -> Self {
-        let title = title.into();
+    pub(crate) fn new(title: impl Into<String>, why: impl Into<String>) -> Self {
+        let (title, why) = (title.into(), why.into());
         Self { title, why }
     }
 }
@@ -188,12 +176,10 @@ pub(crate) struct Scene {
     pub(crate) document: Arc<Document>,
     pub(crate) loaded_session: Arc<LoadedSession>,
     pub(crate) step: Step,
-    /// The plane of the workspace.
-    pub(crate) plane: Plane,
     /// The found effect whose curve is charted, by its place in the answer.
     pub(crate) effect: usize,
-    /// Whether the deviation before is left out where there is another.
-    pub(crate) after_alone: bool,
+    /// Whether the deviation before is left out, so that what is left can be seen.
+    pub(crate) only_after: bool,
     /// The component of the deviation that the chart shows.
     pub(crate) component: Component,
     /// The joint that it is about, counted from 0.
@@ -232,11 +218,6 @@ impl Scene {
 
     pub(crate) fn diagnosis(&self) -> Option<&Diagnosis> {
         self.search.as_ref()?.answer.as_ref().ok()
-    }
-
-    /// Whether charts leave out the deviation before, so that what is left can be seen.
-    pub(crate) fn only_after(&self) -> bool {
-        self.after_alone && self.answer().is_some()
     }
 
     /// The joint that charts are about.

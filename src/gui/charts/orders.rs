@@ -30,8 +30,8 @@ pub(crate) struct Orders;
 
 impl ChartKind for Orders {
     fn about(&self) -> About {
-        let names = [phrase!("orders"), phrase!("Order spectrum")];
-        About::new("order spectrum", names, help::ORDERS, ChartChoice::Joint)
+        let name = help::ORDERS.name;
+        About::new("order spectrum", name, help::ORDERS, ChartChoice::Joint)
     }
 
     fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
@@ -152,7 +152,7 @@ fn shown(order: &Order, only_after: bool) -> [Option<Amplitude>; 2] {
 /// The spectrum as bars.
 fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
     let units = scene.units;
-    let only_after = scene.only_after();
+    let only_after = scene.only_after;
     let value = |mm: f64| units.length_value(mm);
     // The line belongs to what is shown last.
     let line_of = |order: &Order| {
@@ -287,22 +287,15 @@ fn describe(scene: &Scene, spectrum: &Spectrum) -> String {
     };
     let (orders, component) = (spectrum.orders.len(), scene.component.name());
     let before = out(|o| Some(o.before));
-    let says = if scene.answer().is_some() {
-        say!(
-            "{orders} orders of the {component} deviation; before: {before}; after: {after}",
-            orders,
-            component,
-            before,
-            after = out(|o| o.after)
-        )
-    } else {
-        say!(
-            "{orders} orders of the {component} deviation; before: {before}",
-            orders,
-            component,
-            before
-        )
-    };
+    let mut says = say!(
+        "{orders} orders of the {component} deviation; before: {before}",
+        orders,
+        component,
+        before
+    );
+    if scene.answer().is_some() {
+        says += &format!("; {}: {}", say!("after"), out(|o| o.after));
+    }
     format!("{says}; {}", note(spectrum))
 }
 

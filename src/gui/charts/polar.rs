@@ -14,10 +14,8 @@ use super::deviation::{ANGLE, Seen, describe, note, role};
 use super::{
     About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown, When,
 };
-use crate::gui::core::loaded_session::{Component, LoadedSession};
-use crate::gui::core::quantity::Over;
+use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
-use crate::gui::view::Plane;
 use crate::numeric::whole;
 use crate::present::chart::{
     Axis, Chart, ChartText, ColourRole, Entry, Form, Item, LegendSymbol, Mark, Ticks, decade,
@@ -46,15 +44,18 @@ pub(crate) struct Polar;
 
 impl ChartKind for Polar {
     fn about(&self) -> About {
-        let names = [phrase!("polar"), phrase!("Polar view")];
-        About::new("polar", names, help::POLAR, ChartChoice::Component)
+        let name = help::POLAR.name;
+        About::new("polar", name, help::POLAR, ChartChoice::Component)
+    }
+
+    /// A deviation of several joints belongs to no single angle, and a length closes no circle.
+    fn is_offered(&self, scene: &Scene) -> bool {
+        scene.loaded_session.single_revolute() && !scene.loaded_session.is_empty()
     }
 
     fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
-        if let Some(why) = absent(&scene.loaded_session) {
-            return Err(ChartPlaceholder::new(say!("No polar view"), why));
-        }
-        let drawn = Drawn::of(Seen::of(scene, over(scene)));
+        let over = ANGLE.over(scene);
+        let drawn = Drawn::of(Seen::of(scene, over));
         let component = scene.component.name();
         let samples = scene.usable().len();
         let division = drawn.scale();
@@ -65,58 +66,19 @@ impl ChartKind for Polar {
                 samples,
                 polar = division
             ),
-            description: describe(&drawn.of, over(scene)),
+            description: describe(&drawn.of, over),
             chart: drawn.chart(division),
             pointed: HoverTarget::Samples(Box::new(drawn)),
         })
     }
 
     fn numbers(&self, scene: &Scene) -> Table {
-        ANGLE.numbers(&of_first(scene))
-    }
-}
-
-/// The angle is that of the only joint.
-fn of_first(scene: &Scene) -> Scene {
-    Scene {
-        joint: 0,
-        ..scene.clone()
-    }
-}
-
-fn over(scene: &Scene) -> Over {
-    ANGLE.over(&of_first(scene))
-}
-
-/// Why a session has no polar view, and what shows the same.
-fn absent(loaded_session: &LoadedSession) -> Option<&'static str> {
-    if loaded_session.session.robot.joints.len() > 1 {
-        Some(say!(
-            "This robot has several joints, so that a deviation belongs to no single angle. The workspace shows where it is, other charts over which value of the first joint"
-        ))
-    } else if !loaded_session.turns() {
-        Some(say!(
-            "This joint slides, and a length does not close a circle. Another chart shows the deviation along the joint’s way"
-        ))
-    } else {
-        None
-    }
-}
-
-/// Directions of the tool at home and a quarter turn further, as they lie in the plane that is looked at.
-fn directions(loaded_session: &LoadedSession, plane: Plane) -> [[f64; 2]; 2] {
-    let joint = &loaded_session.joint;
-    let [right, up] = plane.axes();
-    if joint.along[plane.normal()].abs() > 0.999 {
-        [joint.radial, joint.tangential].map(|p| [p[right], p[up]])
-    } else {
-        [[1.0, 0.0], [0.0, 1.0]]
+        ANGLE.numbers(scene)
     }
 }
 
 struct Drawn {
     of: Seen,
-    directions: [[f64; 2]; 2],
     division_mm: f64,
     /// So many divisions inside the nominal circle and outside.
     divisions: [f64; 2],
@@ -133,7 +95,6 @@ impl Drawn {
         let division_mm = division_mm.max(LEAST_MM);
         let most = |mm: f64| (mm / division_mm - 1e-9).ceil();
         Self {
-            directions: directions(&scene.loaded_session, scene.plane),
             divisions: [-low, high].map(|mm| most(mm).clamp(1.0, MOST_DIVISIONS)),
             of,
             division_mm,
@@ -151,20 +112,18 @@ impl Drawn {
     }
 
     /// So many divisions from the nominal circle, never on the other side of the middle.
-    fn place(&self, q: f64, divisions: f64) -> [f64; 2] {
+    fn place(q: f64, divisions: f64) -> [f64; 2] {
         let (sin, cos) = q.sin_cos();
-        let radius = (NOMINAL + divisions).max(0.0);
-        let [radial, tangential] = self.directions;
-        [0, 1].map(|k| radius * (cos * radial[k] + sin * tangential[k]))
+        [cos, sin].map(|way| way * (NOMINAL + divisions).max(0.0))
     }
 
     fn at(&self, q: f64, mm: f64) -> [f64; 2] {
-        self.place(q, mm / self.division_mm)
+        Self::place(q, mm / self.division_mm)
     }
 
     /// A circle so many divisions from the nominal one.
-    fn circle(&self, divisions: f64, role: ColourRole, width: f32, dashed: bool) -> Item {
-        let at = |k| self.place(TAU * f64::from(k) / f64::from(CHORDS), divisions);
+    fn circle(divisions: f64, role: ColourRole, width: f32, dashed: bool) -> Item {
+        let at = |k| Self::place(TAU * f64::from(k) / f64::from(CHORDS), divisions);
         Item::Line((0..=CHORDS).map(at).collect(), role, width, dashed)
     }
 
@@ -211,7 +170,7 @@ impl Drawn {
             bounds: [[-out; 2], [out; 2]],
             items,
             legend,
-            note: note(&self.of, over(scene)),
+            note: note(&self.of, self.of.over),
         }
     }
 
@@ -223,23 +182,23 @@ impl Drawn {
         let most = |divisions: f64| 1..=whole(divisions);
         let rings = most(inside).map(|k| -(k as f64));
         let rings = rings.chain(most(outside).map(|k| k as f64));
-        let mut items: Vec<Item> = rings.map(|at| self.circle(at, thin, 0.5, false)).collect();
+        let mut items: Vec<Item> = rings.map(|at| Self::circle(at, thin, 0.5, false)).collect();
         for k in 0..SPOKES {
             let q = TAU * f64::from(k) / f64::from(SPOKES);
-            let ends = [-inside, outside].map(|at| self.place(q, at));
+            let ends = [-inside, outside].map(|at| Self::place(q, at));
             items.push(Item::Line(ends.to_vec(), thin, 0.5, false));
             // Angles as joints have them: from −180° to 180°.
             let turn = if 2 * k > SPOKES { TAU } else { 0.0 };
             items.push(Item::Word(ChartText {
-                at: self.place(q, outside + 0.5 * ROOM),
+                at: Self::place(q, outside + 0.5 * ROOM),
                 text: units.angle(q - turn),
                 anchor: Anchor::Middle,
                 below: false,
             }));
         }
-        items.push(self.circle(0.0, thin, 1.75, false));
+        items.push(Self::circle(0.0, thin, 1.75, false));
         for at in self.band().into_iter().flatten() {
-            items.push(self.circle(at, ColourRole::Tolerance, 1.0, true));
+            items.push(Self::circle(at, ColourRole::Tolerance, 1.0, true));
         }
         items
     }
@@ -263,7 +222,7 @@ impl Drawn {
         let session = &self.of.scene.loaded_session;
         let dot = |sample: usize| {
             let [q, mm] = self.of.place(when, sample);
-            (over(&self.of.scene).side(session, sample), q, mm)
+            (session.side(self.of.over.joint, sample), q, mm)
         };
         let line = |piece: Vec<[f64; 2]>| {
             let points = piece.iter().map(|[q, mm]| self.at(*q, *mm));
@@ -348,7 +307,7 @@ mod tests {
 
     fn of<T>(workbench: &Workbench, look: impl FnOnce(&Drawn) -> T) -> T {
         let scene = Arc::new(workbench.scene());
-        look(&Drawn::of(Seen::of(&scene, over(&scene))))
+        look(&Drawn::of(Seen::of(&scene, ANGLE.over(&scene))))
     }
 
     #[test]
@@ -386,7 +345,7 @@ mod tests {
             let radius = |at: [f64; 2]| at[0].hypot(at[1]);
             let at = drawn.at(0.3, 2.0 * drawn.division_mm);
             assert!((radius(at) - NOMINAL - 2.0).abs() < 1e-9);
-            assert_eq!(radius(drawn.place(0.3, -99.0)), 0.0);
+            assert_eq!(radius(Drawn::place(0.3, -99.0)), 0.0);
             let chart = drawn.chart(String::new());
             let [_, [out, _]] = chart.bounds;
             for item in &chart.items {

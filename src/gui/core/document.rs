@@ -203,24 +203,49 @@ impl Document {
     }
 }
 
-/// How a change that was made is called after “Undo”; the reason where it cannot be made.
-pub(crate) type Changed = Result<Template, String>;
+/// A change that was made; the reason where it cannot be made.
+pub(crate) type Changed = Result<(), String>;
+
+impl Document {
+    /// What a change from one document to the next is called after “Undo”: by the first field that differs.
+    pub(crate) fn edit(before: &Self, after: &Self) -> Template {
+        let [was, is] = [before, after].map(|document| &document.loaded_session.session);
+        let set_up =
+            was.robot != is.robot || was.targets != is.targets || was.instrument != is.instrument;
+        if after.loaded_model.is_some() && before.loaded_model != after.loaded_model {
+            phrase!("open model")
+        } else if before.loaded_session.lineage != after.loaded_session.lineage {
+            phrase!("open session")
+        } else if set_up {
+            phrase!("edit robot and instrument")
+        } else if before.loaded_session != after.loaded_session {
+            phrase!("change samples")
+        } else if before.regions != after.regions || before.division != after.division {
+            phrase!("change regions")
+        } else if before.effects != after.effects || before.added != after.added {
+            phrase!("choose effects")
+        } else if before.tolerance_mm != after.tolerance_mm {
+            phrase!("set tolerance")
+        } else if before.export != after.export {
+            phrase!("choose table")
+        } else {
+            phrase!("identify")
+        }
+    }
+}
 
 impl Document {
     /// What asks something of the samples takes the place of a model that was read from a file.
-    fn ask_samples(&mut self) -> Result<(), String> {
+    fn ask_samples(&mut self) -> Changed {
         if self.loaded_session.is_empty() {
-            return Err(say!(
-                "nothing was measured yet: open a session that was measured on this robot"
-            )
-            .to_owned());
+            return Err(say!("Open a session that was measured on this robot").to_owned());
         }
         self.loaded_model = None;
         Ok(())
     }
 
     /// Another session; a model that was read from a file stays where both are of the same robot.
-    pub(crate) fn open(&mut self, loaded_session: Arc<LoadedSession>) -> Template {
+    pub(crate) fn open(&mut self, loaded_session: Arc<LoadedSession>) {
         let given = self.loaded_model.take();
         let given = given.filter(|given| given.is_of(&loaded_session.session));
         let opened = Self::new(loaded_session);
@@ -228,18 +253,16 @@ impl Document {
             Some(given) => opened.with_model(given),
             None => opened,
         };
-        phrase!("open session")
     }
 
     /// A model beside the open session, or by itself.
-    pub(crate) fn open_model(&mut self, loaded_model: Arc<LoadedModel>, beside: bool) -> Template {
+    pub(crate) fn open_model(&mut self, loaded_model: Arc<LoadedModel>, beside: bool) {
         let beneath = if beside {
             self.clone()
         } else {
             Self::new(Arc::new(loaded_model.alone()))
         };
         *self = beneath.with_model(loaded_model);
-        phrase!("open model")
     }
 
     pub(crate) fn choose_method(&mut self, method: Method) -> Changed {
@@ -250,14 +273,14 @@ impl Document {
             );
         }
         self.method = method;
-        Ok(phrase!("choose method"))
+        Ok(())
     }
 
     /// Identifies from now on, by this method or as it is chosen.
     pub(crate) fn identify(&mut self, method: Option<Method>) -> Changed {
         self.choose_method(method.unwrap_or(self.method))?;
         self.identified = true;
-        Ok(phrase!("identify"))
+        Ok(())
     }
 
     /// Fits this effect, or leaves it out.
@@ -272,7 +295,7 @@ impl Document {
         };
         let all = CATALOGUE.iter().map(|effect| effect.about().id);
         self.effects = all.filter(chosen).collect();
-        Ok(phrase!("choose effects"))
+        Ok(())
     }
 
     /// How far a position may be off, mm.
@@ -281,7 +304,7 @@ impl Document {
             return Err(say!("a tolerance is a number above 0").to_owned());
         }
         self.tolerance_mm = tolerance_mm;
-        Ok(phrase!("set tolerance"))
+        Ok(())
     }
 
     /// Another table.
@@ -294,7 +317,7 @@ impl Document {
             return Err(say!("a table needs a joint of the robot and a step above 0").to_owned());
         }
         self.export = choice;
-        Ok(phrase!("choose table"))
+        Ok(())
     }
 
     /// Adds what a search found to the exact fit, all of it switched on.
@@ -309,7 +332,7 @@ impl Document {
                 }),
             }
         }
-        self.exactly_with(added, phrase!("add to model"))
+        self.exactly_with(added)
     }
 
     /// Switches added effects (counted in the order in which they were added) on or off.
@@ -321,21 +344,16 @@ impl Document {
                 .ok_or(say!("it is not there any more"))?
                 .on = on;
         }
-        let what = if on {
-            phrase!("switch effect on")
-        } else {
-            phrase!("switch effect off")
-        };
-        self.exactly_with(added, what)
+        self.exactly_with(added)
     }
 
     /// What is added is wanted: the exact fit follows at once.
-    fn exactly_with(&mut self, added: Vec<Added>, what: Template) -> Changed {
+    fn exactly_with(&mut self, added: Vec<Added>) -> Changed {
         self.ask_samples()?;
         self.added = added.into();
         self.method = Method::Exact;
         self.identified = true;
-        Ok(what)
+        Ok(())
     }
 
     /// Another description of the robot, its reflectors and the instrument, where that makes a robot.
@@ -345,7 +363,7 @@ impl Document {
         if *form != SetupForm::of(session) {
             self.take_session(form.session(session)?);
         }
-        Ok(phrase!("edit robot and instrument"))
+        Ok(())
     }
 
     /// Takes samples out of every fit and figure, or in again.
@@ -361,11 +379,6 @@ impl Document {
                 excluded.remove(sample);
             }
         }
-        let what = if out {
-            phrase!("exclude samples")
-        } else {
-            phrase!("include samples")
-        };
         let held_out = of_session.held_out.as_deref();
         let counts = |i: usize| {
             loaded_session.usable[i] && !excluded.contains(&i) && !held_out.is_some_and(|h| h[i])
@@ -377,7 +390,7 @@ impl Document {
         let whole = whole.unwrap_or_else(|| Arc::clone(loaded_session));
         let excluded: Vec<usize> = excluded.into_iter().collect();
         self.loaded_session = Arc::new(LoadedSession::excluding(&whole, &excluded));
-        Ok(what)
+        Ok(())
     }
 
     /// Takes mistakes of setting up back, one after the other.
@@ -402,7 +415,7 @@ impl Document {
             }
             self.loaded_session = Arc::new(loaded_session);
         }
-        Ok(phrase!("correct data"))
+        Ok(())
     }
 
     /// The same opening with another description of the robot, or other samples.
@@ -423,32 +436,28 @@ impl Document {
 impl Document {
     /// So many regions of the same width.
     pub(crate) fn divide(&mut self, number: usize) -> Changed {
-        let what = phrase!("divide into regions");
-        self.divide_by(&RegionChoice::Uniform(number), Division::Even, what)
+        self.divide_by(&RegionChoice::Uniform(number), Division::Even)
     }
 
     /// The regions that the session brings along.
     pub(crate) fn regions_of_session(&mut self) -> Changed {
-        let what = phrase!("take regions from session");
-        self.divide_by(&RegionChoice::FromSession, Division::Given, what)
+        self.divide_by(&RegionChoice::FromSession, Division::Given)
     }
 
-    fn divide_by(&mut self, choice: &RegionChoice, division: Division, what: Template) -> Changed {
+    fn divide_by(&mut self, choice: &RegionChoice, division: Division) -> Changed {
         self.ask_samples()?;
         let regions = regions_of(choice, &self.loaded_session.session);
-        self.take_regions(regions.map_err(|e| spoken(e.describe()))?, division, what)
+        self.take_regions(regions.map_err(|e| spoken(e.describe()))?, division)
     }
 
     /// What the adaptive division decided.
     pub(crate) fn adapt(&mut self, regions: Vec<Region>, decision: Decision) -> Changed {
-        let what = phrase!("divide adaptively");
-        self.take_regions(regions, Division::Adaptive(decision), what)
+        self.take_regions(regions, Division::Adaptive(decision))
     }
 
     /// Goes on with the regions as they are, by hand.
-    pub(crate) fn keep_regions(&mut self) -> Template {
+    pub(crate) fn keep_regions(&mut self) {
         self.division = Division::Given;
-        phrase!("keep the regions")
     }
 
     /// Moves a boundary (counted in ascending order) to this angle, rad.
@@ -456,14 +465,14 @@ impl Document {
         let travel = self.loaded_session.travel();
         let moved = regions::moved(&self.regions, boundary, to_rad, travel);
         let otherwise = say!("the boundary cannot be moved there");
-        self.by_hand(moved, otherwise, phrase!("move boundary"))
+        self.by_hand(moved, otherwise)
     }
 
     /// Cuts a region in half.
     pub(crate) fn split(&mut self, region: usize) -> Changed {
         let split = regions::split(&self.regions, region);
         let otherwise = say!("the region is too narrow to be split");
-        self.by_hand(split, otherwise, phrase!("split region"))
+        self.by_hand(split, otherwise)
     }
 
     /// Makes one region of this and the one after it.
@@ -472,28 +481,23 @@ impl Document {
             "no region begins where this one ends; enter the end of this region as the start of the next one first"
         );
         let joined = regions::joined(&self.regions, region);
-        self.by_hand(joined, otherwise, phrase!("merge regions"))
+        self.by_hand(joined, otherwise)
     }
 
     /// Takes a region away: where it was nothing is corrected.
     pub(crate) fn delete(&mut self, region: usize) -> Changed {
         let otherwise = say!("the last region stays: without one nothing is corrected");
         let rest = regions::without(&self.regions, region);
-        self.by_hand(rest, otherwise, phrase!("delete region"))
+        self.by_hand(rest, otherwise)
     }
 
-    fn by_hand(&mut self, made: Option<Vec<Region>>, otherwise: &str, what: Template) -> Changed {
+    fn by_hand(&mut self, made: Option<Vec<Region>>, otherwise: &str) -> Changed {
         self.ask_samples()?;
-        self.take_regions(made.ok_or(otherwise)?, Division::Given, what)
+        self.take_regions(made.ok_or(otherwise)?, Division::Given)
     }
 
     /// Regions that are worked on are regions that are wanted: the answer follows them at once.
-    fn take_regions(
-        &mut self,
-        regions: Vec<Region>,
-        division: Division,
-        what: Template,
-    ) -> Changed {
+    fn take_regions(&mut self, regions: Vec<Region>, division: Division) -> Changed {
         self.identify(Some(Method::Regional))?;
         // Exactly as a file will have them: what is saved is read again to the last bit.
         let as_saved = |region: Region| Region {
@@ -507,7 +511,7 @@ impl Document {
             self.regions = Arc::from(regions);
         }
         self.division = division;
-        Ok(what)
+        Ok(())
     }
 
     /// Another name for a region.
@@ -526,7 +530,7 @@ impl Document {
             .ok_or(say!("it is not there any more"))?;
         name.clone_into(&mut renamed.name);
         self.regions = regions.into();
-        Ok(phrase!("rename region"))
+        Ok(())
     }
 }
 

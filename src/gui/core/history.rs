@@ -15,6 +15,8 @@ pub(crate) trait Keep: PartialEq + Sized {
     type Kept;
     fn kept(document: Arc<Self>) -> Self::Kept;
     fn whole(kept: Self::Kept) -> Arc<Self>;
+    /// What a change from one to the next is called after “Undo”.
+    fn edit(before: &Self, after: &Self) -> Template;
 }
 
 /// A document and, where its session differs from another in nothing but what is excluded, that other session and
@@ -56,6 +58,10 @@ impl Keep for Document {
         }
         Arc::new(document)
     }
+
+    fn edit(before: &Self, after: &Self) -> Template {
+        Self::edit(before, after)
+    }
 }
 
 #[derive(Debug)]
@@ -74,7 +80,7 @@ pub(crate) struct History<D: Keep> {
     past: Vec<Entry<D::Kept>>,
     future: Vec<Entry<D::Kept>>,
     /// The document before the gesture that is under way.
-    gesture: Option<Entry<Arc<D>>>,
+    gesture: Option<Arc<D>>,
 }
 
 impl<D: Keep> History<D> {
@@ -94,36 +100,28 @@ impl<D: Keep> History<D> {
     }
 
     /// A finished change.
-    pub(crate) fn change(&mut self, document: D, what: Template) {
+    pub(crate) fn change(&mut self, document: D) {
         self.finish_gesture();
-        self.change_within_gesture(document, what);
+        self.change_within_gesture(document);
         self.finish_gesture();
     }
 
     /// A change within a gesture; the first one begins it.
-    pub(crate) fn change_within_gesture(&mut self, document: D, what: Template) {
-        if self.gesture.as_ref().is_some_and(|g| g.what != what) {
-            self.finish_gesture();
+    pub(crate) fn change_within_gesture(&mut self, document: D) {
+        if *self.present != document {
+            let before = std::mem::replace(&mut self.present, Arc::new(document));
+            self.gesture.get_or_insert(before);
         }
-        if *self.present == document {
-            return;
-        }
-        let document = std::mem::replace(&mut self.present, Arc::new(document));
-        self.gesture.get_or_insert(Entry { document, what });
     }
 
     /// Ends the gesture that is under way: one entry, unless it came back to where it began.
     pub(crate) fn finish_gesture(&mut self) {
-        if let Some(entry) = self.gesture.take()
-            && *entry.document != *self.present
-        {
-            self.keep(entry);
-        }
-    }
-
-    fn keep(&mut self, entry: Entry<Arc<D>>) {
-        let document = D::kept(entry.document);
-        let what = entry.what;
+        let before = self.gesture.take();
+        let Some(before) = before.filter(|before| **before != *self.present) else {
+            return;
+        };
+        let what = D::edit(&before, &self.present);
+        let document = D::kept(before);
         self.past.push(Entry { document, what });
         self.future.clear();
         if self.past.len() > MOST_ENTRIES {
@@ -133,7 +131,8 @@ impl<D: Keep> History<D> {
 
     /// What the next undo takes back.
     pub(crate) fn undoes(&self) -> Option<Template> {
-        let open = self.gesture.as_ref().map(|entry| entry.what);
+        let open = self.gesture.as_ref();
+        let open = open.map(|before| D::edit(before, &self.present));
         open.or_else(|| Some(self.past.last()?.what))
     }
 
@@ -186,21 +185,21 @@ mod tests {
         fn whole(kept: Arc<Self>) -> Arc<Self> {
             kept
         }
-    }
 
-    /// A name that no person reads.
-    fn step(name: &'static str) -> Template {
-        Template::new("", name, "")
+        /// A name that no person reads.
+        fn edit(_: &Self, _: &Self) -> Template {
+            Template::new("", "count", "")
+        }
     }
 
     #[test]
     fn a_gesture_is_one_entry_however_many_steps_it_has() {
         let mut history = History::new(0);
         for k in 1..=50 {
-            history.change_within_gesture(k, step("drag"));
+            history.change_within_gesture(k);
         }
         history.finish_gesture();
-        assert_eq!(history.undoes(), Some(step("drag")));
+        assert!(history.undoes().is_some());
         assert!(history.undo());
         assert_eq!(**history.present(), 0);
         assert!(!history.undo());
@@ -211,8 +210,8 @@ mod tests {
     #[test]
     fn a_gesture_that_comes_back_leaves_no_entry() {
         let mut history = History::new(7);
-        history.change_within_gesture(8, step("drag"));
-        history.change_within_gesture(7, step("drag"));
+        history.change_within_gesture(8);
+        history.change_within_gesture(7);
         history.finish_gesture();
         assert_eq!(history.undoes(), None);
     }
@@ -220,8 +219,8 @@ mod tests {
     #[test]
     fn undo_in_the_middle_of_a_gesture_takes_the_gesture_back() {
         let mut history = History::new(1);
-        history.change(2, step("type"));
-        history.change_within_gesture(3, step("drag"));
+        history.change(2);
+        history.change_within_gesture(3);
         assert!(history.undo());
         assert_eq!(**history.present(), 2);
     }
@@ -229,9 +228,9 @@ mod tests {
     #[test]
     fn a_new_change_after_undo_forgets_what_was_undone() {
         let mut history = History::new(1);
-        history.change(2, step("a"));
+        history.change(2);
         history.undo();
-        history.change(3, step("b"));
+        history.change(3);
         assert!(!history.redo());
         assert_eq!(**history.present(), 3);
     }
@@ -240,7 +239,7 @@ mod tests {
     fn the_history_does_not_grow_without_end() {
         let mut history = History::new(0);
         for k in 1..=2 * i32::try_from(MOST_ENTRIES).unwrap() {
-            history.change(k, step("count"));
+            history.change(k);
         }
         let mut undone = 0;
         while history.undo() {

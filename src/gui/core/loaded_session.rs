@@ -262,16 +262,11 @@ impl LoadedSession {
         self.session.samples.q[0][sample]
     }
 
-    /// Side from which joint 1 came; 0 where it is not known.
-    pub(crate) fn side(&self, sample: usize) -> f64 {
-        let dir = self.session.samples.dir.first().and_then(Option::as_ref);
-        dir.map_or(0.0, |dir| {
-            if dir[sample].is_nan() {
-                0.0
-            } else {
-                dir[sample]
-            }
-        })
+    /// Side from which a joint, counted from 0, came; 0 where it is not known.
+    pub(crate) fn side(&self, joint: usize, sample: usize) -> f64 {
+        let dir = self.session.samples.dir.get(joint);
+        let side = dir.and_then(Option::as_ref).map_or(0.0, |dir| dir[sample]);
+        if side.is_nan() { 0.0 } else { side }
     }
 
     /// Deviation of the nominal robot at a sample, mm.

@@ -12,15 +12,6 @@ use crate::present::chart::{among, decade};
 use crate::sessions::{Session, Sigma};
 use crate::text::{Template, Text, filled};
 
-/// An effect that this session cannot show, and why.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct NotTestable {
-    /// The effect's name.
-    pub(crate) effect: &'static str,
-    /// Why.
-    pub(crate) because: Text,
-}
-
 /// What is known of the samples before anything is identified: under which conditions they are, what can be seen in them, and the noise that the instrument's maker admits.
 #[derive(Debug, Clone)]
 pub(crate) struct Coverage {
@@ -28,8 +19,8 @@ pub(crate) struct Coverage {
     pub(crate) floor_mm: Option<f64>,
     /// Effects that the session can show.
     pub(crate) testable: Vec<&'static str>,
-    /// Effects that it cannot show.
-    pub(crate) not_testable: Vec<NotTestable>,
+    /// Effects that it cannot show, each with the reason.
+    pub(crate) not_testable: Vec<(&'static str, Text)>,
 }
 
 impl Coverage {
@@ -50,10 +41,7 @@ impl Coverage {
             match obstacles.next() {
                 None => {}
                 Some(Some(because)) if obstacles.all(|o| o.is_some()) => {
-                    not_testable.push(NotTestable {
-                        effect: about.id,
-                        because,
-                    });
+                    not_testable.push((about.id, because));
                 }
                 Some(_) => testable.push(about.id),
             }

@@ -53,67 +53,37 @@ impl Over {
         }
     }
 
-    /// Side from which the joint came; 0 where it is not known.
-    pub(crate) fn side(self, loaded_session: &LoadedSession, sample: usize) -> f64 {
-        let dir = loaded_session.session.samples.dir.get(self.joint);
-        let side = dir.and_then(Option::as_ref).map_or(0.0, |dir| dir[sample]);
-        if side.is_nan() { 0.0 } else { side }
-    }
-
-    /// What the session would need to be shown over it: in one line, and what to log for what.
-    pub(crate) fn needs(self) -> [&'static str; 2] {
-        match self.variable {
-            Variable::Joint => [
-                say!("No sample has a joint value"),
-                say!("Every sample needs its q1 cell"),
-            ],
-            Variable::Time => [
-                say!("It was not logged"),
-                say!(
-                    "A column time_s would show whether the deviation drifts while you measure, and when the tripod was touched"
-                ),
-            ],
-            Variable::Load => [
-                say!("It was not logged"),
-                say!(
-                    "A column load_kg would show whether the arm gives way under what it carries: measure some poses empty and the same ones loaded"
-                ),
-            ],
-            Variable::Temperature => [
-                say!("It was not logged"),
-                say!(
-                    "A column temperature_c would show whether the deviation follows the machine's warmth"
-                ),
-            ],
-            Variable::Speed | Variable::Travel => [
-                say!("It was not logged"),
-                say!(
-                    "Columns speed1_deg_s and dir1 would show how the deviation follows the motion"
-                ),
-            ],
-        }
+    /// What the session would need to be shown over it: in one line, and what to log.
+    pub(crate) fn needs(self) -> [String; 2] {
+        let column = match self.variable {
+            Variable::Joint => "q1_deg",
+            Variable::Time => "time_s",
+            Variable::Load => "load_kg",
+            Variable::Temperature => "temperature_c",
+            Variable::Speed => "speed1_deg_s",
+            Variable::Travel => "dir1",
+        };
+        [
+            say!("It was not logged").to_owned(),
+            say!(
+                "A column {column} would show whether the deviation follows it",
+                column
+            ),
+        ]
     }
 
     /// How the variable is shown: its scale to the screen's unit, and that unit. `span` is how far
     /// it reaches, inner units.
     pub(crate) fn scale(self, loaded_session: &LoadedSession, units: Units, span: f64) -> Scale {
-        let turns = loaded_session.joint_turns(self.joint);
         let per = Scale::per;
-        let (factor, unit) = if turns {
-            (units.angle_value(1.0), units.angle_name().trim())
-        } else {
-            (units.length_value(1.0), units.length_name())
-        };
+        let joint = Scale::of_joint(units, loaded_session.joint_turns(self.joint));
         let since = |factor: f64, unit: &str| Scale {
             origin: self.first(loaded_session),
             ..per(factor, unit)
         };
         match self.variable {
-            Variable::Joint | Variable::Travel => Scale {
-                degrees: turns && units.angle == AngleUnit::Degree,
-                ..per(factor, unit)
-            },
-            Variable::Speed => per(factor, &format!("{unit}/s")),
+            Variable::Joint | Variable::Travel => joint,
+            Variable::Speed => per(joint.factor, &format!("{}/s", joint.unit)),
             Variable::Time if span > 3.0 * 3600.0 => since(1.0 / 3600.0, "h"),
             Variable::Time if span > 600.0 => since(1.0 / 60.0, "min"),
             Variable::Time => since(1.0, "s"),
@@ -188,6 +158,17 @@ impl Scale {
             origin: 0.0,
             unit: unit.to_owned(),
             degrees: false,
+        }
+    }
+
+    /// That of the values of a joint.
+    pub(crate) fn of_joint(units: Units, turns: bool) -> Self {
+        if !turns {
+            return Self::length(units);
+        }
+        Self {
+            degrees: units.angle == AngleUnit::Degree,
+            ..Self::per(units.angle_value(1.0), units.angle_name().trim())
         }
     }
 

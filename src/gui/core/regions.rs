@@ -273,19 +273,13 @@ impl Decision {
             return say!("One region: nowhere does the deviation change by more than the noise")
                 .to_owned();
         }
-        let n = self.regions;
-        match (self.left_mm, self.even_mm) {
-            (Some(left), Some(even)) => say!(
-                "{n} regions: a boundary where the deviation changes by more than the noise. They leave {left}, {n} even ones {even}",
-                n,
-                left = units.length(left),
-                even = units.length(even)
-            ),
-            _ => say!(
-                "{n} regions: a boundary where the deviation changes by more than the noise",
-                n
-            ),
-        }
+        let length = |mm: Option<f64>| mm.map_or("–".to_owned(), |mm| units.length(mm));
+        say!(
+            "{n} regions: a boundary where the deviation changes by more than the noise. They leave {left}, {n} even ones {even}",
+            n = self.regions,
+            left = length(self.left_mm),
+            even = length(self.even_mm)
+        )
     }
 }
 

@@ -34,7 +34,7 @@ impl Search {
             &progress_callback(watch),
         );
         let answer = answer.map_err(|error| match error {
-            DiagnoseError::Cancelled => say!("the search was cancelled").to_owned(),
+            DiagnoseError::Cancelled => say!("it was cancelled").to_owned(),
             other => other.to_string(),
         });
         Self {

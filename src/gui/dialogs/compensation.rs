@@ -10,8 +10,8 @@ use crate::gui::core::disk::name_of;
 use crate::gui::files;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::What;
-use crate::gui::views::blocks::{self, Title};
-use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
+use crate::gui::views::blocks;
+use crate::gui::widgets::{self, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::programs::{DifferingNumber, ExternalAxes, Precedence};
 
@@ -64,11 +64,12 @@ pub(super) fn compensation(ui: &mut Ui, workbench: &Workbench) {
         Err(_) if differs.is_empty() => (widgets::dots(say!("Choose another file")), true),
         Err(_) => (widgets::dots(say!("Save corrected file")), false),
     };
-    match ui.foot([(say!("Cancel"), true), (&next, ready)]) {
-        Some(0) => workbench.then(|bench| bench.show_sheet(None)),
-        Some(_) if compensated.result.is_err() => workbench.then(Workbench::choose_targets),
-        Some(_) => workbench.then(|bench| bench.choose_where_to_export(What::Targets)),
-        None => {}
+    if widgets::ended(ui, workbench, (&next, ready)) {
+        if compensated.result.is_err() {
+            workbench.then(Workbench::choose_targets);
+        } else {
+            workbench.then(|bench| bench.choose_where_to_export(What::Targets));
+        }
     }
 }
 
@@ -139,7 +140,8 @@ fn asked(
 /// Files of the controller that are read with a program.
 fn declarations(ui: &mut Ui, wanted: &mut CompensationRequest, workbench: &Workbench) {
     ui.horizontal_wrapped(|ui| {
-        ui.label(say!("Files of the controller"));
+        let of = say!("Files of the controller");
+        ui.label(of);
         let mut gone = None;
         for (k, path) in wanted.with.iter().enumerate() {
             let name = name_of(path);
@@ -149,7 +151,7 @@ fn declarations(ui: &mut Ui, wanted: &mut CompensationRequest, workbench: &Workb
             gone = gone.or(without.clicked().then_some(k));
         }
         let choose = Button::new(say!("Choose…"));
-        let choose = ui.named(say!("Choose a file of the controller"), choose);
+        let choose = ui.named(format!("{}: {of}", say!("Choose…")), choose);
         let choose = choose.on_hover_text(say!(
             "What the program uses and does not declare itself: tools, frames, loads, points (a KUKA’s $config.dat, a RAPID module, a FANUC’s SYSFRAME.VA). They are read and not corrected"
         ));
@@ -182,7 +184,7 @@ fn describe(ui: &mut Ui, sections: &[Section]) {
         .max_height(high(ui))
         .show(ui, |ui| {
             for section in sections {
-                blocks::title(ui, section, Title::Plain);
+                blocks::title(ui, section, None);
                 if section.topic == Topic::LeftAsIs {
                     blocks::warned(ui, &section.blocks);
                 } else {

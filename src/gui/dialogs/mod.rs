@@ -147,9 +147,6 @@ fn about(ui: &mut Ui, workbench: &Workbench) {
     ui.hint(say!(
         "Everything in this window can be done in the terminal too: truepose --help"
     ));
-    ui.hint(say!(
-        "Type: Inter, by the Inter project authors, SIL Open Font License 1.1"
-    ));
     done(ui, workbench);
 }
 
@@ -159,10 +156,6 @@ const REST: f32 = 240.0;
 /// What the words mean, all of them.
 fn words(ui: &mut Ui, workbench: &Workbench) {
     widgets::head(ui, 520.0, say!("Glossary"));
-    ui.hint(say!(
-        "The same is shown beside the numbers, where the pointer rests on a name"
-    ));
-    ui.add_space(space::TIGHT);
     let high = (ui.ctx().content_rect().height() - REST).clamp(120.0, 460.0);
     ScrollArea::vertical().max_height(high).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;

@@ -73,9 +73,6 @@ pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench) {
             percent
         ));
     }
-    ui.hint(say!(
-        "Files are read and written in their own units, whatever is shown here"
-    ));
     let changed = now != Preferences::default();
     match ui.foot([(say!("Reset all"), changed), (say!("Done"), true)]) {
         Some(0) => next = Preferences::default(),

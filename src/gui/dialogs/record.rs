@@ -27,19 +27,17 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
         .spacing([f32::from(space::PANEL), space::TIGHT])
         .show(ui, |ui| {
             for line in Details::LINES {
-                let dated = Some(say!("such as 22 Nov 2026")).filter(|_| line.key == "date");
                 let (name, value) = (spoken(line.name), (line.of)(&mut stated.details));
                 ui.weak(name);
-                let (hint, wide) = (dated.unwrap_or_default(), ui.available_width());
-                field(ui, name, value, hint, wide);
+                let wide = ui.available_width();
+                field(ui, name, value, wide);
                 ui.end_row();
             }
             let name = say!("Logo");
             ui.weak(name);
             ui.horizontal(|ui| {
                 let width = ui.available_width() - 86.0;
-                let hint = say!("a PNG file");
-                field(ui, name, &mut stated.logo, hint, width);
+                field(ui, name, &mut stated.logo, width);
                 ui.button(say!("Choose…"))
                     .does(workbench, Workbench::choose_logo);
             });
@@ -70,7 +68,9 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
             });
         });
     }
-    ui.hint(about(stated.details.rule));
+    if let Some(rule) = stated.details.rule {
+        ui.hint(about(rule));
+    }
     results::decision(ui, workbench);
     if stated != before {
         workbench.then(move |bench| bench.state(stated));
@@ -90,19 +90,18 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
 }
 
 /// What choosing a rule means.
-fn about(rule: Option<Rule>) -> &'static str {
+fn about(rule: Rule) -> &'static str {
     match rule {
-        None => say!("The report states the errors and leaves the decision to its reader"),
-        Some(Rule::Iso14253) => say!(
+        Rule::Iso14253 => say!(
             "Pass where the largest deviation and its uncertainty together are within the tolerance, fail where the deviation without its uncertainty is above it; between them neither is proven"
         ),
-        Some(Rule::Simple) => say!(
+        Rule::Simple => say!(
             "Pass where the largest deviation is within the tolerance; the uncertainty is stated and does not count (JCGM 106, 8.2)"
         ),
     }
 }
 
-fn field(ui: &mut Ui, name: &str, value: &mut String, hint: &str, width: f32) {
-    let edit = TextEdit::singleline(value).hint_text(hint).char_limit(400);
+fn field(ui: &mut Ui, name: &str, value: &mut String, width: f32) {
+    let edit = TextEdit::singleline(value).char_limit(400);
     ui.named(name, edit.desired_width(width.max(120.0)));
 }

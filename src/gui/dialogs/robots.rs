@@ -19,7 +19,7 @@ use crate::gui::workspace::robot_alone;
 use crate::kinematics::JointKind;
 use crate::language::spoken;
 use crate::present::robots_v1::figure;
-use crate::robots::{LibraryRobot, find, library, source};
+use crate::robots::{LibraryRobot, find, source};
 use crate::text::Template;
 
 /// Width of the list, and where there is little room, points.
@@ -123,10 +123,6 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench) {
     let (wide, room) = sizes(ui);
     ui.set_width(wide + room.x + f32::from(space::PANEL));
     ui.heading(say!("Robots"));
-    ui.hint(say!(
-        "{count} common robots with their nominal geometry: type a maker, a model or a kind",
-        count = library().len()
-    ));
     let id = ui.scope_id().with("typed robot");
     let before: Option<RobotsInput> = ui.data(|data| data.get_temp(id));
     let mut typed = before.unwrap_or_default();
@@ -244,7 +240,6 @@ fn described(
             let joints = table.rows.len();
             let joints = say!(one "{count} joint", "{count} joints", count = joints);
             ui.fact(say!("kind"), joints);
-            ui.hint(say!("Typed here, and remembered on this computer"));
             if ui.secondary(say!("Forget it")).clicked() {
                 let name = table.name.clone();
                 workbench.then(move |bench| bench.forget_robot(&name));
@@ -338,7 +333,7 @@ const AROUND: f32 = 610.0;
 pub(super) fn simulation(ui: &mut Ui, form: &mut Form, workbench: &Workbench) {
     widgets::head(ui, SIMULATION, &form.robot.title);
     ui.hint(say!(
-        "Random poses within the joint limits, three reflectors at the tool, speeds, loads and a warm-up mixed. The effects below are hidden in the robot: identification and diagnosis should find them"
+        "Random poses within the joint limits, three reflectors at the tool, speeds, loads and a warm-up mixed"
     ));
     if form.is_of_the_lamp() {
         ui.secondary(say!("Another robot…"))
@@ -364,9 +359,6 @@ pub(super) fn simulation(ui: &mut Ui, form: &mut Form, workbench: &Workbench) {
 /// What is wrong as a whole, and the buttons; what was changed stays in the sheet.
 fn simulate(ui: &mut Ui, form: &Form, workbench: &Workbench) {
     let ready = form.problems().is_empty();
-    if !ready {
-        ui.hint(say!("Correct the fields marked above first"));
-    }
     let form = form.clone();
     match ui.foot([(say!("Cancel"), true), (say!("Simulate"), ready)]) {
         Some(0) => workbench.then(|bench| bench.show_sheet(Sheet::Simulate(form).before())),

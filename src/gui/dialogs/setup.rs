@@ -60,9 +60,6 @@ pub(super) fn show(ui: &mut Ui, form: &mut SetupForm, workbench: &Workbench) {
         say!("Robot as a table")
     };
     ui.heading(heading);
-    ui.hint(say!(
-        "Nominal geometry as the maker states it; the robot is drawn at its zero as it is typed"
-    ));
     head(ui, typed);
     let made = typed.robot();
     ui.with_layout(layout, |ui| {
@@ -117,23 +114,11 @@ fn head(ui: &mut Ui, typed: &mut RobotTable) {
     });
     ui.form_row(say!("Joints as"), |ui| {
         let forms = [
-            (
-                TableForm::Axes,
-                say!("axes"),
-                say!("direction and a point of each axis at home, in the base frame"),
-            ),
-            (
-                TableForm::Standard,
-                say!("DH rows"),
-                say!("Denavit–Hartenberg rows, standard: the joint before the link"),
-            ),
-            (
-                TableForm::Modified,
-                say!("modified DH rows"),
-                say!("Denavit–Hartenberg rows, modified: the link before the joint"),
-            ),
+            (TableForm::Axes, say!("axes")),
+            (TableForm::Standard, say!("DH rows")),
+            (TableForm::Modified, say!("modified DH rows")),
         ];
-        let form = ui.segmented_named(&forms, typed.form);
+        let form = ui.segmented(&forms, typed.form);
         if let Some(turned) = form.and_then(|form| typed.turned_into(form)) {
             *typed = turned;
         }
@@ -209,36 +194,30 @@ fn heading(name: &'static str) -> &'static str {
 
 /// One joint: its name, whether it turns, its numbers and its travel.
 fn joint(ui: &mut Ui, number: usize, row: &mut Row, heads: &[(&'static str, &'static str)]) {
+    let named = |what: &str| format!("{}: {what}", say!("joint {joint}", joint = number));
     let name = ui.add_sized(NAME, TextEdit::singleline(&mut row.name));
-    widgets::label(&name, say!("Name of joint {joint}", joint = number));
-    let (says, name) = if row.slides {
-        let name = say!("Joint {joint} slides", joint = number);
-        (say!(in "joint", "slides"), name)
+    widgets::label(&name, named(say!("name")));
+    let moves = if row.slides {
+        say!(in "joint", "slides")
     } else {
-        let name = say!("Joint {joint} turns", joint = number);
-        (say!(in "joint", "turns"), name)
+        say!(in "joint", "turns")
     };
-    let kind = ui.add_sized(MOVES, Button::new(says));
-    widgets::label(&kind, name);
+    let kind = ui.add_sized(MOVES, Button::new(moves));
+    widgets::label(&kind, named(moves));
     row.slides ^= kind.clicked();
     for (value, (name, unit)) in row.numbers.iter_mut().zip(heads) {
-        let label = say!("{number} of joint {joint}", number = name, joint = number);
-        cell(ui, &label, unit, value);
+        cell(ui, &named(name), unit, value);
     }
     let unit = row.unit();
     let mut travel = row.travel.is_some();
     let [mut from, mut to] = row.travel.unwrap_or([-180.0, 180.0]);
-    let labels = [
-        say!("Travel of joint {joint}, from", joint = number),
-        say!("Travel of joint {joint}, to", joint = number),
-    ];
     // Each a row of its own height: what is switched off or unknown would else hang below the others.
-    for (label, value) in labels.iter().zip([&mut from, &mut to]) {
+    for (end, value) in [(say!("from"), &mut from), (say!("to"), &mut to)] {
         ui.horizontal(|ui| {
             if !travel {
                 ui.disable();
             }
-            cell(ui, label, unit, value);
+            cell(ui, &named(end), unit, value);
         });
     }
     let name = say!("The travel of joint {joint} is known", joint = number);
@@ -317,10 +296,10 @@ fn targets(ui: &mut Ui, measured: &mut Measured, session: &Session) {
         let n = k + 1;
         ui.horizontal(|ui| {
             let name = ui.add_sized(NAME, TextEdit::singleline(&mut target.name));
-            widgets::label(&name, say!("Name of reflector {n}", n));
             let at = target.position_mm.coords.as_mut_slice();
-            let name = say!("Reflector {n}", n);
-            widgets::numbers(ui, (&name, "mm"), &XYZ, at, (NUMBER, 0.1));
+            let of = say!("Reflector {n}", n);
+            widgets::numbers(ui, (&of, "mm"), &XYZ, at, (NUMBER, 0.1));
+            widgets::label(&name, of);
         });
     }
     if free && ui.link(say!("Remove the last reflector")).clicked() {
@@ -375,15 +354,15 @@ fn instrument(ui: &mut Ui, measured: &mut Measured) {
 fn ends(ui: &mut Ui, form: &SetupForm, sound: bool, workbench: &Workbench) {
     let of_session = form.measured.is_some();
     let primary = if of_session {
-        say!("Use it here")
+        say!("Use it here").to_owned()
     } else {
-        say!("Simulate…")
+        widgets::dots(say!("Simulate"))
     };
     let cancel = (say!("Cancel"), true);
     let buttons = [
         cancel,
         (&*widgets::dots(say!("Save robot file")), sound),
-        (primary, sound),
+        (&*primary, sound),
     ];
     let (Some(pressed), form) = (ui.foot(buttons), form.clone()) else {
         return;

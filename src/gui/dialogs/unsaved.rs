@@ -6,9 +6,9 @@ use std::time::{Duration, SystemTime};
 
 use egui::{Id, Key, TextEdit, Ui};
 
-use crate::export::find;
 use crate::text::capital;
 
+use crate::gui::core::disk::name_of;
 use crate::gui::style::space;
 use crate::gui::view::{NextAction, Sheet, What};
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
@@ -16,11 +16,7 @@ use crate::gui::workbench::Workbench;
 
 /// Shows what would be lost, and what can be done about it.
 pub(super) fn losses(ui: &mut Ui, workbench: &Workbench, then: &NextAction) {
-    let discard = match then {
-        NextAction::Leave => say!("Leave without saving"),
-        NextAction::Open(_) | NextAction::Example(_) => say!("Open without saving"),
-        NextAction::Simulate(_) => say!("Simulate without saving"),
-    };
+    let discard = say!("Go on without saving");
     widgets::head(ui, 420.0, say!("{question}?", question = discard));
     let name = &workbench.loaded_session().session.name;
     let losses = workbench.at_risk();
@@ -45,7 +41,7 @@ pub(super) fn losses(ui: &mut Ui, workbench: &Workbench, then: &NextAction) {
         (true, true) => widgets::dots(say!("Save session and model")),
         (true, false) => say!("Save session").to_owned(),
         (false, true) => widgets::dots(say!("Save model")),
-        (false, false) => say!("Go on").to_owned(),
+        (false, false) => discard.to_owned(),
     };
     let then = then.clone();
     let [saved, discarded] = decided(ui, &save, discard, workbench);
@@ -110,7 +106,7 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench) {
     };
     widgets::head(ui, 460.0, say!("Recover unsaved work"));
     ui.hint(say!(
-        "The last time the program ended without warning. Nothing is lost unless it is discarded here: what is not restored now is offered again"
+        "The last time the program ended without warning. What is not restored now is offered again"
     ));
     widgets::card(ui, |ui| {
         ui.bold(&left.kept.session.name);
@@ -119,9 +115,9 @@ pub(super) fn recovery(ui: &mut Ui, workbench: &Workbench) {
         }
         let samples = left.kept.session.samples.len().to_string();
         ui.fact(say!("samples"), samples);
-        let file = left.kept.about.file.as_ref().and_then(|f| f.file_name());
-        let file = file.map_or(say!("no file").into(), |f| f.to_string_lossy());
-        ui.fact(say!("file"), file);
+        if let Some(file) = &left.kept.about.file {
+            ui.fact(say!("file"), name_of(file));
+        }
     });
     // What is discarded cannot be brought back: it takes a second press.
     let id = Id::unique(("discard of the recovery", left.when));
@@ -156,8 +152,7 @@ fn ago(when: SystemTime) -> Option<String> {
 fn in_words(ago: Duration) -> String {
     let seconds = ago.as_secs();
     match seconds {
-        0..60 => say!("less than a minute ago").to_owned(),
-        60..3600 => say!(one "{count} minute ago", "{count} minutes ago", count = seconds / 60),
+        0..3600 => say!(one "{count} minute ago", "{count} minutes ago", count = seconds / 60),
         3600..86_400 => say!(one "{count} hour ago", "{count} hours ago", count = seconds / 3600),
         _ => say!(one "{count} day ago", "{count} days ago", count = seconds / 86_400),
     }
@@ -167,7 +162,7 @@ fn in_words(ago: Duration) -> String {
 #[test]
 fn a_time_is_said_in_words() {
     let says = |s| in_words(Duration::from_secs(s));
-    assert_eq!(says(5), "less than a minute ago");
+    assert_eq!(says(5), "0 minutes ago");
     assert_eq!(says(61), "1 minute ago");
     assert_eq!(says(7300), "2 hours ago");
     assert_eq!(says(200_000), "2 days ago");
@@ -180,15 +175,7 @@ pub(super) fn path(
     what: What,
     (typed, allowed): (&mut String, &mut bool),
 ) {
-    let format = find(workbench.document().export.format);
-    // It describes the robot and is no table.
-    let robot = what == What::Table && format.is_some_and(|format| format.rules.is_none());
-    let title = if robot {
-        say!("Save robot")
-    } else {
-        what.title()
-    };
-    widgets::head(ui, 420.0, title);
+    widgets::head(ui, 420.0, what.title());
     let edit = TextEdit::singleline(typed).desired_width(f32::INFINITY);
     let field = ui.named(say!("Path to save to"), edit);
     // The field is what the sheet is for: what is typed goes into it from the first letter on.
@@ -198,16 +185,11 @@ pub(super) fn path(
     }
     let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
     let place = workbench.placed(typed.trim().as_ref());
-    if let (Some(folder), Some(name)) = (place.parent(), place.file_name()) {
-        let (folder, name) = (folder.display(), name.to_string_lossy());
-        ui.hint(say!("{name}, in the folder {folder}", name, folder));
-    }
+    ui.hint(place.display().to_string());
     ui.checkbox(allowed, say!("replace the file if it exists"));
     let named = !typed.trim().is_empty();
-    let pressed = ui.foot([(say!("Cancel"), true), (say!("Save"), named)]);
-    if pressed == Some(0) {
-        workbench.then(|bench| bench.show_sheet(None));
-    } else if named && (pressed.is_some() || entered || widgets::entered(ui)) {
+    let pressed = widgets::ended(ui, workbench, (say!("Save"), named));
+    if named && (pressed || entered || widgets::entered(ui)) {
         let (path, allowed) = (PathBuf::from(typed.trim()), *allowed);
         workbench.then(move |bench| bench.export_as(what, path, allowed));
     }

@@ -23,7 +23,6 @@ use crate::gui::core::loaded_session::LoadedSession;
 use crate::kinematics::Robot;
 use crate::pipeline;
 use crate::sessions::Session;
-use crate::text::Template;
 
 const FORMAT: &str = "truepose-recovery/1";
 const ENDING: &str = "recovery";
@@ -124,11 +123,7 @@ impl SavedDocument {
 
 impl About {
     /// Brings a session that a window that is gone has left behind into a document, as it was identified.
-    pub(crate) fn restore(
-        &self,
-        document: &mut Document,
-        loaded_session: Arc<LoadedSession>,
-    ) -> Template {
+    pub(crate) fn restore(&self, document: &mut Document, loaded_session: Arc<LoadedSession>) {
         document.open(loaded_session);
         document.loaded_model = None;
         document.identified = self.identified;
@@ -141,7 +136,6 @@ impl About {
         let robot = &document.loaded_session.session.robot;
         let added = self.added.iter().filter_map(|one| one.added(robot));
         document.added = added.collect();
-        phrase!("restore")
     }
 }
 
@@ -210,7 +204,7 @@ pub(crate) fn write(path: &Path, kept: &SavedDocument) -> Result<(), WriteError>
 
 fn read(path: &Path) -> Result<SavedDocument, String> {
     let bytes = fs::read(path).map_err(|e| e.to_string())?;
-    let end = memchr::memchr(b'\n', &bytes).ok_or(say!("its first line is not complete"))?;
+    let end = memchr::memchr(b'\n', &bytes).ok_or(say!("its first line cannot be read"))?;
     let (first, document) = (&bytes[..end], &bytes[end + 1..]);
     let header: Header =
         serde_json::from_slice(first).map_err(|_| say!("its first line cannot be read"))?;

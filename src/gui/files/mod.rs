@@ -148,15 +148,9 @@ pub(crate) fn first_example() -> Arc<LoadedSession> {
 
 /// Reads a bundled session.
 pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
-    let Some(named) = EXAMPLES.get(index) else {
-        return Err(Message::wrong(
-            crate::text::capital(say!("it is not there any more")),
-            vec![say!("The examples are in the File menu").to_owned()],
-        ));
-    };
     example(index)
         .map(Opened::Session)
-        .map_err(|error| not_opened(named.name(), &error))
+        .map_err(|error| not_opened(EXAMPLES[index].name(), &error))
 }
 
 #[cfg(test)]

@@ -34,7 +34,7 @@ pub(crate) fn choose_to_open(near: Option<&Path>) -> Option<PathBuf> {
         (say!("Sessions and models"), &["json"]),
         (spoken(MEASUREMENTS), TABLES),
     ];
-    pick(near, say!("Open session, model or measurements"), &kinds)
+    pick(near, say!("Open"), &kinds)
 }
 
 /// Asks the user for a table of targets or a robot program.
@@ -43,12 +43,12 @@ pub(crate) fn choose_targets(near: Option<&Path>) -> Option<PathBuf> {
     let all: Vec<&str> = all.copied().collect();
     let mut kinds = vec![(say!("Targets and programs"), &*all)];
     kinds.extend(LANGUAGES.iter().map(|l| (l.title, l.extensions)));
-    pick(near, say!("Targets or program to correct"), &kinds)
+    pick(near, say!("Targets and programs"), &kinds)
 }
 
 /// Asks the user for a file of the controller beside a program.
 pub(crate) fn choose_declarations(program: &Path) -> Option<PathBuf> {
-    pick(Some(program), say!("Choose a file of the controller"), &[])
+    pick(Some(program), say!("Files of the controller"), &[])
 }
 
 /// Asks the user for a file that an export starts from.
@@ -58,23 +58,23 @@ pub(crate) fn choose_reference(near: Option<&Path>) -> Option<PathBuf> {
 
 /// Asks the user for a picture for the head of a report.
 pub(crate) fn choose_logo(near: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(near).set_title(say!("Logo of the report"));
+    let dialog = dialog_beside(near).set_title(say!("Logo"));
     of_kind(dialog, say!("Picture"), &["png"]).pick_file()
 }
 
 /// Asks the user for a file that an instrument wrote.
 pub(crate) fn choose_to_import(near: Option<&Path>) -> Option<PathBuf> {
     let kinds = [(spoken(MEASUREMENTS), TABLES)];
-    pick(near, say!("Import measurements"), &kinds)
+    pick(near, say!("Import"), &kinds)
 }
 
 /// Asks the user for a file that goes with a measured one, beside that.
 pub(crate) fn choose_beside(which: Companion, measured: Option<&Path>) -> Option<PathBuf> {
     let title = match which {
-        Companion::Robot => say!("Robot model"),
-        Companion::Commands => say!("Commanded positions"),
-        Companion::Reference => say!("Reference points (base frame)"),
-        Companion::Targets => say!("Reflectors in the tool frame"),
+        Companion::Robot => say!("File of the robot"),
+        Companion::Commands => say!("File of the commands"),
+        Companion::Reference => say!("File of the known points"),
+        Companion::Targets => say!("File of the reflectors"),
     };
     let kind = if which == Companion::Robot {
         (say!("Robots and sessions"), ROBOTS)

@@ -26,13 +26,13 @@ use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError};
 use crate::sessions::Target;
 use crate::sessions::files::open;
 use crate::tables::as_cell;
-use crate::text::{Template, spoken};
+use crate::text::{Template, capital, spoken};
 
 /// A file that is longer, in bytes, is not read into memory.
 const LONGEST: u64 = 1 << 30;
 
 /// What is said until the file was looked at with everything that was said.
-pub(crate) const LOOKING: Template = phrase!("Looking at the file…");
+pub(crate) const LOOKING: Template = phrase!("looking at the file");
 
 /// What was seen with what was said.
 #[derive(Debug)]
@@ -248,7 +248,7 @@ impl ImportDraft {
                 (_, None) => spoken(LOOKING),
             }
         };
-        Some(says.to_owned())
+        Some(capital(says))
     }
 
     /// What it makes of the file, where that went well.

@@ -317,15 +317,7 @@ fn named(ui: &mut Ui, one: &Entry, shown: Option<bool>) -> bool {
         let y = response.rect.center().y;
         ui.painter().hline(through, y, Stroke::new(1.0, text));
     }
-    let clicked = response.clicked();
-    if let Some(shown) = shown {
-        response.on_hover_text(if shown {
-            say!("Leave it out, so that what is left can be seen")
-        } else {
-            say!("Show it as well")
-        });
-    }
-    clicked
+    response.clicked()
 }
 
 fn symbol(entry: &Entry, color: Color32) -> Vec<Shape> {

@@ -27,10 +27,10 @@ use crate::text::{Template, spoken, within};
 /// Saves a plot as a file.
 pub(crate) fn picture(ui: &mut Ui, plot: Picture, workbench: &Workbench) {
     let name = match plot {
-        Picture::Workspace => say!("Workspace"),
-        Picture::Chart(id) => charts::find(id).map_or(id, |chart| chart.about().name()),
+        Picture::Workspace => say!("Workspace").to_owned(),
+        Picture::Chart(id) => charts::find(id).map_or_else(String::new, |c| c.about().name()),
     };
-    let says = say!("Save picture: {plot}…", plot = within(name));
+    let says = say!("Save picture: {plot}…", plot = within(&name));
     let button = ui.icon_button(widgets::SAVE, &says);
     button.on_hover_text(&says).does(workbench, move |bench| {
         bench.choose_where_to_export(What::Picture(plot));
@@ -220,24 +220,12 @@ fn set_down(mesh: &mut Mesh, stamp: &Mesh, at: Pos2) {
     mesh.vertices.extend(stamp.vertices.iter().map(moved));
 }
 
-/// What is done with the mouse, and what it does; the help and the tooltips say the same.
-pub(crate) const GESTURES: [(Template, Template); 7] = [
-    (phrase!("wheel, or pinch"), phrase!("zoom at the pointer")),
-    (
-        phrase!("Shift and wheel"),
-        phrase!("zoom along a chart's axis"),
-    ),
-    (phrase!("drag"), phrase!("move")),
-    (
-        phrase!("drag with the right button"),
-        phrase!("show a part"),
-    ),
-    (phrase!("drag in the 3-D view"), phrase!("orbit")),
-    (
-        phrase!("Shift or middle button and drag in the 3-D view"),
-        phrase!("move"),
-    ),
-    (phrase!("double click, or Home"), phrase!("fit the view")),
+/// What the mouse does.
+const GESTURES: [Template; 4] = [
+    phrase!("wheel or pinch: zoom, with Shift along a chart's axis"),
+    phrase!("drag: move; in the 3-D view orbit, with Shift move"),
+    phrase!("drag with the right button: show a part"),
+    phrase!("double click, or Home: fit the view"),
 ];
 
 /// So much scrolling goes closer by a factor of e, points: a notch of a wheel is 40.
@@ -311,9 +299,8 @@ pub(crate) fn fit(ui: &mut Ui, name: &str) -> bool {
     let response = button.on_hover_ui(|ui| {
         ui.set_max_width(320.0);
         ui.bold(name);
-        for (how, what) in GESTURES {
-            let says = format!("{}: {}", spoken(how), spoken(what));
-            ui.label(RichText::new(says).small());
+        for gesture in GESTURES {
+            ui.label(RichText::new(spoken(gesture)).small());
         }
     });
     response.clicked()

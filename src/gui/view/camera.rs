@@ -264,16 +264,6 @@ impl Plane {
     }
 }
 
-/// What the upper plot shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Aspect {
-    /// Where the robot was, in a plane.
-    #[default]
-    Plane,
-    /// The same in three dimensions.
-    Space,
-}
-
 #[cfg(test)]
 mod tests {
     //! The geometry of the camera: where points are on the screen before and after it moves.

@@ -17,7 +17,7 @@ use crate::present::units::{AngleUnit, LengthUnit};
 use crate::text::{Language, current};
 
 mod camera;
-pub(crate) use camera::{Aspect, Ball, Camera, Facing, Plane};
+pub(crate) use camera::{Ball, Camera, Facing, Plane};
 
 named! {
     /// The steps of the work, in order.
@@ -90,8 +90,8 @@ pub(crate) struct ViewState {
     pub(crate) step: Step,
     /// The plane of the workspace plot.
     pub(crate) plane: Plane,
-    /// Whether that plane is shown, or the space.
-    pub(crate) aspect: Aspect,
+    /// Whether the workspace is looked at in three dimensions instead.
+    pub(crate) in_space: bool,
     /// From where the space is looked at.
     pub(crate) camera: Camera,
     /// How much longer than real error vectors are drawn; `None`: so that they are readable.
@@ -145,19 +145,16 @@ impl ViewState {
     /// Shows the workspace in this plane, and brings it into sight.
     pub(crate) fn look_in(&mut self, plane: Plane) {
         self.plane = plane;
-        self.look(Aspect::Plane);
+        self.in_space = false;
+        self.front = Front::Workspace;
     }
 
     /// The same in space; from where it begins, where it is looked at already.
     pub(crate) fn look_in_space(&mut self) {
-        if self.in_space() {
+        if self.in_space {
             self.camera = Camera::default();
         }
-        self.look(Aspect::Space);
-    }
-
-    fn look(&mut self, aspect: Aspect) {
-        self.aspect = aspect;
+        self.in_space = true;
         self.front = Front::Workspace;
     }
 
@@ -201,14 +198,9 @@ impl ViewState {
         }
     }
 
-    /// Whether the workspace is looked at in three dimensions.
-    pub(crate) fn in_space(&self) -> bool {
-        self.aspect == Aspect::Space
-    }
-
     /// The axes of the view of the workspace: in space those in the base frame.
     pub(crate) fn facing(&self) -> Facing {
-        if self.in_space() {
+        if self.in_space {
             self.camera.facing()
         } else {
             self.plane.facing()

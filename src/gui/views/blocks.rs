@@ -2,8 +2,6 @@
 //! (buttons, the explanation of an effect) is put below it by the caller. And what several panels show: names of
 //! effects and parameters, problems of the data with what mends them, and what no name explains.
 
-use std::fmt::Debug;
-
 use egui::{Color32, FontId, Grid, Response, RichText, Ui};
 
 use crate::diagnosis::Diagnosis;
@@ -23,21 +21,13 @@ use crate::present::table::{Column, Table};
 use crate::sessions::SessionCorrection;
 use crate::set_up_errors::DataProblem;
 
-/// How a section's title looks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Title {
-    /// As the name of something.
-    Plain,
-    /// As an answer, in this colour.
-    Large(Color32),
-}
-
-/// A section's title; what it returns can be explained.
-pub(crate) fn title(ui: &mut Ui, section: &Section, look: Title) -> Response {
+/// A section's title: the name of something, or an answer, which is large and in this colour. What it returns can be
+/// explained.
+pub(crate) fn title(ui: &mut Ui, section: &Section, answer: Option<Color32>) -> Response {
     let text = RichText::new(&section.title);
-    let text = match look {
-        Title::Plain => text.font(strong(size::BODY)),
-        Title::Large(color) => text.font(strong(size::HEADING)).color(color),
+    let text = match answer {
+        None => text.font(strong(size::BODY)),
+        Some(color) => text.font(strong(size::HEADING)).color(color),
     };
     ui.add(egui::Label::new(text).wrap())
 }
@@ -45,7 +35,7 @@ pub(crate) fn title(ui: &mut Ui, section: &Section, look: Title) -> Response {
 /// A section as a card.
 pub(super) fn card(ui: &mut Ui, section: &Section) {
     widgets::card(ui, |ui| {
-        title(ui, section, Title::Plain);
+        title(ui, section, None);
         show(ui, &section.blocks);
     });
 }
@@ -261,7 +251,7 @@ pub(super) fn problems(
     let sections = problems_of_data(problems, detail);
     for (section, problem) in sections.iter().zip(problems) {
         widgets::card(ui, |ui| {
-            title(ui, section, Title::Large(Palette::of(ui).outside));
+            title(ui, section, Some(Palette::of(ui).outside));
             show(ui, &section.blocks);
             of_problem(ui, problem, workbench);
         });

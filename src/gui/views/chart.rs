@@ -85,7 +85,7 @@ fn show(ui: &mut Ui, workbench: &Workbench) {
     bar(ui, workbench, kind, &workbench.scene());
     match workbench.charted() {
         Some(Ok(shown)) => plotted(ui, workbench, kind, shown),
-        Some(Err(missing)) => plots::chart::empty(ui, &missing.title, missing.why),
+        Some(Err(missing)) => plots::chart::empty(ui, &missing.title, &missing.why),
         None => plots::chart::empty(ui, say!("Computing…"), ""),
     }
 }
@@ -270,18 +270,14 @@ fn bar(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, scene: &Scene) 
     // What there is no room for stands below.
     let chosen = chosen(scene, kind).into_iter().flatten();
     let beside: f32 = chosen.map(|name| width(ui, name) + space::ROW).sum();
-    let beside_all = ui.available_width() - beside - MARKS;
-    let name = if beside_all < width(ui, about.name()) {
-        about.short()
-    } else {
-        about.name()
-    };
-    let below = beside > 0.0 && beside_all < width(ui, name);
+    let name = about.name();
+    let room = ui.available_width() - beside - MARKS;
+    let below = beside > 0.0 && room < width(ui, &name);
     ui.row(|ui| {
         ui.spacing_mut().item_spacing.x = space::ROW;
         let offered = CHARTS.iter().filter(|chart| chart.is_offered(scene));
         let offered = offered.map(|chart| (chart.about().id, chart.about().name()));
-        let named = (say!("Choose chart"), name);
+        let named = (say!("Choose chart"), &*name);
         list(
             ui,
             workbench,

@@ -24,9 +24,7 @@ const FIRST_STEP: f64 = 1.0;
 
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     if workbench.answer().is_none() {
-        ui.hint(say!(
-            "There is nothing to export yet: the table comes from the identified robot"
-        ));
+        ui.hint(say!("There is nothing to export yet"));
     } else {
         not_added(ui, workbench);
         export(ui, workbench);
@@ -63,12 +61,11 @@ fn reports(ui: &mut Ui, workbench: &Workbench) {
     if measured {
         actions::REPORT_DETAILS.button(ui, workbench);
         actions::REPORT.button(ui, workbench);
-        let says = if workbench.diagnosis().is_some() {
-            say!("HTML or PDF: what was measured, the effects found, the open points")
-        } else {
-            say!("HTML or PDF: the session is diagnosed first, which takes a while")
-        };
-        ui.hint(says);
+        if workbench.diagnosis().is_none() {
+            ui.hint(say!(
+                "HTML or PDF: the session is diagnosed first, which takes a while"
+            ));
+        }
     }
     if identified {
         let text = if measured {
@@ -132,13 +129,8 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
                 let entries = table.forward.places().len();
                 ui.fact(say!("entries"), entries.to_string());
             }
-            ui.section(say!("Also"));
-            let what = if made.export.reads_as.is_some() {
-                say!("Copy table")
-            } else {
-                say!("Copy text")
-            };
-            if ui.secondary(what).clicked() {
+            ui.add_space(space::ROW);
+            if ui.secondary(say!("Copy text")).clicked() {
                 ui.copy_text(text_of(made));
             }
             actions::SAVE_MODEL.button(ui, workbench);
@@ -158,9 +150,7 @@ fn of_the_robot(ui: &mut Ui, workbench: &Workbench, choice: &ExportChoice) {
             (Zeros::Origins, say!("origins")),
             (Zeros::Controller, say!("controller")),
         ];
-        ui.weak(say!("zero offsets")).on_hover_text(say!(
-            "Who takes the zero offsets of the joints of a corrected robot, the geometry of the file or the controller, never both"
-        ));
+        ui.weak(say!("zero offsets"));
         next.zeros = ui
             .segmented(&offered, choice.zeros.unwrap_or(usual))
             .or(next.zeros);
@@ -182,9 +172,7 @@ fn of_the_robot(ui: &mut Ui, workbench: &Workbench, choice: &ExportChoice) {
         );
     }
     if asked.reference {
-        ui.weak(say!("File that the export starts from")).on_hover_text(say!(
-            "The URDF that the robot was read from, to be changed in place with its names and meshes; the motor calibration of lerobot that was active while measuring"
-        ));
+        ui.weak(say!("File that the export starts from"));
         if let Some(path) = &choice.reference {
             let name = name_of(path);
             let without = Button::new(format!("× {name}"));
@@ -236,13 +224,9 @@ fn text_of(made: &ExportPreview) -> String {
 pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
     match workbench.export() {
         Some(Ok(made)) => made_preview(ui, workbench, made),
-        // Why stands at the left, beside what can be done instead.
-        Some(Err(_)) => ui.hint(say!("No preview: this export is refused")),
         None if workbench.answer().is_none() => super::results::beforehand(ui, workbench),
-        None if workbench.is_unprepared() => {
-            ui.hint(capital(say!("it was cancelled")));
-        }
-        None => ui.hint(say!("The table is being prepared")),
+        // Why there is none stands at the left, beside what can be done instead.
+        _ => {}
     }
     standards(ui, workbench);
 }

@@ -20,7 +20,7 @@ use crate::gui::core::search::term_of;
 use crate::gui::jobs::Running;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Step, What};
-use crate::gui::views::blocks::{self, Title, curve_link, in_words};
+use crate::gui::views::blocks::{self, curve_link, in_words};
 use crate::gui::views::copies;
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
@@ -34,9 +34,6 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
         ui.hint(say!("Open a session that was measured on this robot"));
         return;
     }
-    ui.hint(say!(
-        "Finds the physical effects that the model lacks. Each is checked on samples that its fit has not used (cross-validation)"
-    ));
     if workbench.searching().is_some() {
         under_way_here(ui, workbench);
         return;
@@ -51,25 +48,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     switches(ui, workbench);
 }
 
-/// Where the work stands before there is a search.
+/// What the search takes the place of.
 fn before(ui: &mut Ui, workbench: &Workbench) {
-    let loaded_session = workbench.loaded_session();
-    let answer = workbench.answer();
-    let left = answer.map(|a| a.identification.gap.after.rms_mm);
-    let floor = loaded_session.coverage.floor_mm;
-    let says = match (left, floor) {
-        (None, _) => say!("The diagnosis identifies by itself: Identify need not come first"),
-        (Some(left), Some(floor)) if left < 1.2 * floor => say!(
-            "Little error is left above the instrument's noise. The diagnosis says where nothing is missing, with the detection limits"
-        ),
-        (Some(_), Some(_)) => {
-            say!("More error is left than noise explains: something is missing in the model")
-        }
-        (Some(_), None) => say!(
-            "The noise of the instrument is not stated: the diagnosis estimates it from the samples"
-        ),
-    };
-    ui.hint(says);
     let document = workbench.document();
     if document.loaded_model.is_some() || document.identified && document.method == Method::Regional
     {
@@ -163,32 +143,31 @@ pub(super) fn findings(ui: &mut Ui, workbench: &Workbench) {
 /// A diagnosis is running: what it has found so far.
 fn under_way(ui: &mut Ui, workbench: &Workbench) {
     let found = workbench.searching().map(Running::found);
-    let found = found.unwrap_or_default();
-    let says = match found.len() {
-        0 => say!("Nothing found so far"),
-        _ => say!("Found so far; a likelier name may take the place of one"),
-    };
-    so_far(ui, say!("Diagnosis is running"), says, &found);
+    let says = say!("Found so far; a likelier name may take the place of one");
+    so_far(
+        ui,
+        say!("Diagnosis is running"),
+        says,
+        &found.unwrap_or_default(),
+    );
 }
 
 /// What a diagnosis that was stopped had found until then.
 fn stopped(ui: &mut Ui, workbench: &Workbench) {
-    let Some(found) = workbench.stopped() else {
-        return;
-    };
-    let says = match found.len() {
-        0 => say!("It had found nothing until then"),
-        _ => say!(
-            "Found until then, not yet tested against other names: run the diagnosis again to test them"
-        ),
-    };
-    so_far(ui, say!("Diagnosis stopped"), says, found);
+    let says = say!(
+        "Found until then, not yet tested against other names: run the diagnosis again to test them"
+    );
+    if let Some(found) = workbench.stopped() {
+        so_far(ui, say!("Diagnosis stopped"), says, found);
+    }
 }
 
 fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
     widgets::card(ui, |ui| {
         ui.bold(name);
-        ui.hint(says);
+        if !found.is_empty() {
+            ui.hint(says);
+        }
         names(ui, found);
     });
 }
@@ -236,14 +215,14 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
 fn heading(ui: &mut Ui, section: &Section, d: &Diagnosis) {
     let palette = Palette::of(ui);
     let look = match section.topic {
-        Topic::Answer => Title::Large(match d.verdict {
+        Topic::Answer => Some(match d.verdict {
             Verdict::Noise | Verdict::Explained => palette.within,
             Verdict::PartlyExplained | Verdict::Unexplained => palette.warning,
         }),
-        Topic::DataProblem(_) => Title::Large(palette.outside),
-        Topic::Unexplained => Title::Large(palette.warning),
-        Topic::Found(_) => Title::Large(palette.text),
-        _ => Title::Plain,
+        Topic::DataProblem(_) => Some(palette.outside),
+        Topic::Unexplained => Some(palette.warning),
+        Topic::Found(_) => Some(palette.text),
+        _ => None,
     };
     let label = blocks::title(ui, section, look);
     if let Topic::Found(index) = section.topic {
@@ -274,36 +253,22 @@ fn in_small(ui: &mut Ui, section: &Section, d: &Diagnosis) {
     });
 }
 
-/// What was hidden in the simulation, beside what was found of it: a button, and behind it the truth; nothing for a session that was not simulated here.
+/// What was hidden in the simulation, beside what was found of it, on demand; nothing for a session that was not simulated here.
 fn hidden(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     let loaded_session = workbench.loaded_session();
     let Some(hidden) = loaded_session.hidden.as_deref() else {
         return;
     };
     // The truth of this opening: another simulation hides it again.
-    let id = egui::Id::unique("hidden").with(loaded_session.lineage);
-    let shown: bool = ui.data(|data| data.get_temp(id)).unwrap_or(false);
-    let says = if shown {
-        say!("Do not show what was hidden")
-    } else {
-        say!("Show what was hidden")
-    };
-    if ui.secondary(says).clicked() {
-        ui.data_mut(|data| data.insert_temp(id, !shown));
-    }
-    if !shown {
-        return;
-    }
-    widgets::card(ui, |ui| {
-        ui.bold(say!("Hidden in this simulation"));
-        ui.hint(if hidden.is_empty() {
-            say!("Nothing")
-        } else {
-            say!("hidden → found")
+    ui.push_id(loaded_session.lineage, |ui| {
+        ui.folded(say!("Show what was hidden"), |ui| {
+            if hidden.is_empty() {
+                ui.hint(say!("Nothing"));
+            }
+            for term in hidden {
+                one(ui, workbench, term, d);
+            }
         });
-        for term in hidden {
-            one(ui, workbench, term, d);
-        }
     });
 }
 

@@ -94,20 +94,16 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
         (None, Origin::Imported(path)) => say!("from {path}", path = name_of(path)),
         (None, Origin::File(path) | Origin::Model(path)) => name_of(path).into_owned(),
     };
-    let origin = match (&workbench.document().loaded_model, &loaded_session.origin) {
-        (Some(_), Origin::Model(_)) => say!("model {origin}", origin),
-        (Some(given), _) => say!(
-            "{origin} · model {given}",
-            origin,
-            given = given.file_name()
-        ),
-        (None, _) => origin,
+    let model = |name: String| say!("model {name}", name);
+    let mut parts = match (&workbench.document().loaded_model, &loaded_session.origin) {
+        (Some(_), Origin::Model(_)) => vec![model(origin)],
+        (Some(given), _) => vec![origin, model(given.file_name())],
+        (None, _) => vec![origin],
     };
-    let says = if workbench.unsaved() {
-        say!("{origin} · not saved", origin)
-    } else {
-        origin
-    };
+    if workbench.unsaved() {
+        parts.push(say!("not saved").to_owned());
+    }
+    let says = parts.join(" · ");
     let font = FontId::proportional(size::SMALL);
     let wide = widgets::width_of(ui, &says, font);
     // Of a short name a few letters would say nothing.

@@ -1,11 +1,13 @@
 //! Step 2: where the joint gets corrections of its own, one row each.
 
-use egui::{Align, Button, DragValue, Layout, RichText, Ui, vec2};
+use egui::{Align, DragValue, Layout, RichText, Ui, vec2};
 
+use crate::diagnostic::Severity;
 use crate::gui::core::document::{Document, Method};
 use crate::gui::core::regions::{self, Count, Division, End, SNAP_DEG};
 use crate::gui::style::{Palette, space};
 use crate::gui::view::Step;
+use crate::gui::views::session;
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::gui::{actions, help};
@@ -13,7 +15,6 @@ use crate::present::numbers::{grouped, trimmed};
 use crate::present::units::AngleUnit;
 use crate::sessions::Region;
 use crate::sessions::regions::Assignment;
-use crate::text::capital;
 use crate::units::rad_from_deg;
 
 /// Regions that are offered when there are none: the paper's number.
@@ -25,9 +26,7 @@ const MOST_EVEN: usize = 360;
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     if loaded_session.is_empty() {
-        ui.hint(capital(say!(
-            "nothing was measured yet: open a session that was measured on this robot"
-        )));
+        ui.hint(say!("Open a session that was measured on this robot"));
         return;
     }
     division(ui, workbench);
@@ -66,7 +65,7 @@ fn division(ui: &mut Ui, workbench: &Workbench) {
     });
     match chosen {
         Some(0) => workbench.edits(move |document| document.divide(number)),
-        Some(1) if present > 0 => workbench.edits(|document| Ok(document.keep_regions())),
+        Some(1) if present > 0 => workbench.then(|bench| bench.replace(Document::keep_regions)),
         Some(1) => workbench.edits(Document::regions_of_session),
         Some(_) => workbench.then(Workbench::adapt),
         None => {}
@@ -74,9 +73,7 @@ fn division(ui: &mut Ui, workbench: &Workbench) {
     match &document.division {
         Division::Even => evenly(ui, workbench),
         Division::Given => {
-            ui.hint(say!(
-                "Drag a boundary on the plot, or type it; the identification follows at once"
-            ));
+            ui.hint(say!("Drag a boundary on the plot, or type it"));
             own(ui, workbench);
         }
         Division::Adaptive(decision) => {
@@ -118,9 +115,8 @@ fn own(ui: &mut Ui, workbench: &Workbench) {
     if workbench.loaded_session().session.regions.is_empty() || !are_by_hand(workbench) {
         return;
     }
-    let button = ui.button(say!("Reset to session"));
-    let button = button.on_hover_text(say!("take regions from session"));
-    button.does(workbench, |bench| bench.edit(Document::regions_of_session));
+    ui.button(say!("Reset to session"))
+        .does(workbench, |bench| bench.edit(Document::regions_of_session));
 }
 
 /// There are no regions, and what that means.
@@ -149,17 +145,9 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, outside: usize) {
             1 => gap,
             n => say!("{first} and {more} more", first = gap, more = n - 1),
         };
-        let says = match outside {
-            0 => say!("{more}: in no region, and no sample is there", more),
-            n => say!(
-                one "{more}: in no region; {count} sample there gets no correction",
-                "{more}: in no region; {count} samples there get no correction",
-                more,
-                count = n
-            ),
-        };
-        ui.hint(says);
-    } else if outside > 0 {
+        ui.hint(say!("{more}: in no region", more));
+    }
+    if outside > 0 {
         ui.hint(say!(
             one "{count} sample is in no region and gets no correction",
             "{count} samples are in no region and get no correction",
@@ -175,8 +163,6 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     // A diagnosis replaces what is identified by region: only to who has made regions is it the next thing.
     let wanted = are_by_hand(workbench) && !document.identified;
     if possible && !regional {
-        let says = say!("Optional: fills the next step, Identify, region by region");
-        ui.hint_if_roomy(says);
         let text = say!("Identify by region");
         let button = if wanted {
             ui.primary(text)
@@ -241,51 +227,40 @@ fn rows(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
             more(ui, regions, k, workbench);
         });
         if let Some(says) = few(counts[k]) {
-            let says = RichText::new(say!("Warning: {says}", says)).small();
-            ui.colored_label(Palette::of(ui).warning, says);
+            session::finding(ui, Severity::Warning, |ui| {
+                ui.label(RichText::new(says).small());
+            });
         }
     }
     if regions.len() > MOST_LISTED {
-        ui.hint(say!(
-            "and {more} more, to be dragged on the plot",
-            more = regions.len() - MOST_LISTED
-        ));
+        ui.hint(say!("and {more} more", more = regions.len() - MOST_LISTED));
     }
+}
+
+/// A part of a region, by name, for those who do not see where it stands.
+fn of(region: &Region, what: &str) -> String {
+    let region = say!("region {name}", name = region.name);
+    format!("{region}: {what}")
 }
 
 /// What can be done with a region.
 fn more(ui: &mut Ui, regions: &[Region], k: usize, workbench: &Workbench) {
-    let next = regions::next_to(regions, k);
-    let before = regions::before(regions, k);
-    let merge = match (next, before) {
-        (None, Some(_)) => say!("Merge with previous"),
-        _ => say!("Merge with next"),
-    };
-    let item = |ui: &mut Ui, name: &str, possible: bool, otherwise: &str| {
-        let response = ui.add_enabled(possible, Button::new(name));
-        response.on_disabled_hover_text(otherwise).clicked()
-    };
+    let next = regions::next_to(regions, k).map(|_| k);
+    let first = next.or_else(|| regions::before(regions, k)).unwrap_or(k);
     let menu = ui.scope(|ui| {
         ui.spacing_mut().button_padding = vec2(4.0, 2.0);
         ui.spacing_mut().interact_size.x = COLUMNS[4];
         ui.menu_button("…", |ui| {
             ui.set_min_width(180.0);
-            let wide = regions::split(regions, k).is_some();
-            if item(ui, say!("Split in half"), wide, say!("the region is too narrow to be split")) {
-                workbench.edits(move |document| document.split(k));
-            }
-            let first = next.map(|_| k).or(before);
-            if item(ui, merge, first.is_some(), say!("no region begins where this one ends; enter the end of this region as the start of the next one first")) {
-                workbench.edits(move |document| document.join(first.unwrap_or(k)));
-            }
-            let others = regions.len() > 1;
-            if item(ui, say!("Delete"), others, say!("the last region stays: without one nothing is corrected")) {
-                workbench.edits(move |document| document.delete(k));
-            }
+            ui.button(say!("Split in half"))
+                .does(workbench, move |bench| bench.edit(|d| d.split(k)));
+            ui.button(say!("Merge with neighbour"))
+                .does(workbench, move |bench| bench.edit(|d| d.join(first)));
+            ui.button(say!("Delete"))
+                .does(workbench, move |bench| bench.edit(|d| d.delete(k)));
         })
     });
-    let says = say!("Change region {name}", name = regions[k].name);
-    widgets::label(&menu.inner.response, says);
+    widgets::label(&menu.inner.response, of(&regions[k], say!("Edit")));
 }
 
 /// What a region with few samples can and cannot do.
@@ -307,7 +282,7 @@ fn few(count: Count) -> Option<String> {
 }
 
 fn name(ui: &mut Ui, region: usize, name: &str, workbench: &Workbench) {
-    let says = say!("Name of region {name}", name);
+    let says = of(&workbench.document().regions[region], say!("name"));
     let size = vec2(COLUMNS[0], HEIGHT);
     if let Some(text) = widgets::text_when_complete(ui, &says, name, size) {
         workbench.edits(move |document| document.rename(region, &text));
@@ -317,16 +292,11 @@ fn name(ui: &mut Ui, region: usize, name: &str, workbench: &Workbench) {
 /// The number of an end. It stops at its neighbours, as a boundary that is dragged does.
 fn angle(ui: &mut Ui, width: f32, workbench: &Workbench, (k, end): (usize, End)) {
     let (regions, units) = (&workbench.document().regions, workbench.units());
-    let (name, at_rad) = match end {
-        End::From => (
-            say!("From, region {region}", region = regions[k].name),
-            regions[k].from_rad,
-        ),
-        End::To => (
-            say!("To, region {region}", region = regions[k].name),
-            regions[k].to_rad,
-        ),
+    let (end_says, at_rad) = match end {
+        End::From => (say!("from"), regions[k].from_rad),
+        End::To => (say!("to"), regions[k].to_rad),
     };
+    let name = of(&regions[k], end_says);
     let within = workbench.loaded_session().travel();
     let boundary = regions::at_end(regions, k, end);
     let room = boundary.and_then(|b| Some((b, regions::allowed_range(regions, b, within)?)));
@@ -362,14 +332,9 @@ fn samples(ui: &mut Ui, workbench: &Workbench, k: usize, count: Count) {
         return;
     }
     let response = ui.add_sized(room, egui::Link::new(number));
-    let samples = say!(one "{count} sample", "{count} samples", count = grouped(count.all));
-    let says = say!(
-        "Show the {samples} of region {region}",
-        samples,
-        region = region.name
-    );
-    widgets::label(&response, says.clone());
-    if response.on_hover_text(says).clicked() {
+    let says = say!(one "{count} sample", "{count} samples", count = grouped(count.all));
+    widgets::label(&response, of(region, &says));
+    if response.clicked() {
         let samples = samples_of(workbench, k);
         workbench.then(|bench| bench.view.mark(samples));
     }

@@ -208,14 +208,11 @@ pub(super) fn controls(ui: &mut Ui, workbench: &Workbench) {
     }
     match document.method {
         Method::Exact => {
-            ui.hint(say!(
-                "One model for the whole range, fitted in the measuring frame, with an interval for every number"
-            ));
             effects(ui, workbench);
         }
         Method::Regional => {
             ui.hint(say!(
-                "The source paper's method: a constant correction of angle and radius for each region. It leaves out the rotation between lamp and base, so that one constant error looks different in every region; use it to compare with earlier reports"
+                "The source paper's method: a constant correction of angle and radius for each region, to compare with earlier reports"
             ));
             let n = document.regions.len();
             ui.fact(say!("regions"), n.to_string());
@@ -238,31 +235,17 @@ fn effects(ui: &mut Ui, workbench: &Workbench) {
         let mut shown = on || is_added;
         let switch = Checkbox::new(&mut shown, title(id));
         let switch = ui.add_enabled(!is_added, switch);
-        let switch = switch.on_disabled_hover_text(say!(
-            "Added by the diagnosis, and switched off where it was added"
-        ));
         if widgets::explained_effect(switch, id).changed() {
             workbench.edits(move |document| document.choose_effect(id, shown));
         }
     }
-    if loaded_session.coverage.not_testable.is_empty() {
-        return;
-    }
-    let title = say!(
-        one "{count} that this session cannot show",
-        "{count} that this session cannot show",
-        count = loaded_session.coverage.not_testable.len()
-    );
-    ui.folded(&title, |ui| not_testable(ui, workbench));
+    not_testable(ui, workbench);
 }
 
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     let document = workbench.document();
     if !document.identified {
         return actions::IDENTIFY.next(ui, workbench);
-    }
-    if document.loaded_model.is_none() {
-        ui.hint_if_roomy(say!("Identified; the result follows every change"));
     }
     actions::go_on(ui, workbench, Step::Gap);
 }
@@ -289,9 +272,7 @@ fn about(ui: &mut Ui, workbench: &Workbench, given: &LoadedModel) {
             ui.fact(&name, measured);
         }
         if workbench.loaded_session().is_empty() {
-            ui.hint(capital(say!(
-                "nothing was measured yet: open a session that was measured on this robot"
-            )));
+            ui.hint(say!("Open a session that was measured on this robot"));
         }
     });
 }
@@ -316,20 +297,13 @@ pub(super) fn beforehand(ui: &mut Ui, workbench: &Workbench) {
         return;
     }
     match workbench.view.step {
-        Step::Session | Step::Regions | Step::Identify => {
+        Step::Session | Step::Regions => {
             nominal(ui, workbench);
             testable(ui, workbench);
         }
-        Step::Gap => {
-            if workbench.searching().is_none() && workbench.stopped().is_none() {
-                not_searched(ui);
-            }
-            testable(ui, workbench);
-        }
-        Step::Export => {
-            formats(ui);
-            nominal(ui, workbench);
-        }
+        Step::Gap => testable(ui, workbench),
+        // The effects that can be tested are those to choose from.
+        Step::Identify | Step::Export => nominal(ui, workbench),
     }
 }
 
@@ -356,11 +330,6 @@ fn nominal(ui: &mut Ui, workbench: &Workbench) {
             let floor = say!("{floor}, instrument", floor = units.length(floor_mm));
             ui.fact(say!("noise floor"), floor);
         }
-        if !workbench.document().identified {
-            ui.hint(say!(
-                "Not identified yet. The identified parameters will be listed here, each with its 95 % interval"
-            ));
-        }
     });
 }
 
@@ -369,46 +338,27 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
     widgets::card(ui, |ui| {
         let known = &loaded_session.coverage;
-        let (yes, no) = (known.testable.len(), known.not_testable.len());
-        let says = say!("{inside} of {all}", inside = yes, all = yes + no);
-        ui.fact(say!("testable effects"), says);
-        let can = say!("{yes} can be tested", yes);
+        let can = say!("{yes} effects can be tested", yes = known.testable.len());
         ui.folded(&can, |ui| {
             let names = known.testable.iter();
             let names: Vec<&str> = names.map(|id| title(id)).collect();
             ui.hint(names.join(", ").to_lowercase());
         });
-        if no > 0 {
-            let cannot = say!("{no} cannot, and why", no);
-            ui.folded(&cannot, |ui| not_testable(ui, workbench));
-        }
+        not_testable(ui, workbench);
     });
 }
 
 /// The effects that cannot be seen, each with the reason.
 fn not_testable(ui: &mut Ui, workbench: &Workbench) {
-    for one in &workbench.loaded_session().coverage.not_testable {
-        ui.label(title(one.effect));
-        ui.hint(spoken(&one.because));
+    let all = &workbench.loaded_session().coverage.not_testable;
+    if all.is_empty() {
+        return;
     }
-}
-
-/// What a search does, before there is one.
-fn not_searched(ui: &mut Ui) {
-    widgets::card(ui, |ui| {
-        ui.bold(say!("No diagnosis yet"));
-        ui.hint(say!(
-            "Effects that are found will be listed here with size, confidence and what to check on the machine. Where the samples cannot decide, both are listed, with the poses that would decide"
-        ));
-    });
-}
-
-/// What can be written, before there is anything to write.
-fn formats(ui: &mut Ui) {
-    widgets::card(ui, |ui| {
-        ui.bold(say!("There is nothing to export yet"));
-        ui.hint(say!(
-            "The table comes from the identified robot. It will be shown here as text, with its sign convention in words, the RMS error that it leaves, and what joint commands cannot correct"
-        ));
+    let cannot = say!("{no} not testable, and why", no = all.len());
+    ui.folded(&cannot, |ui| {
+        for (effect, because) in all {
+            ui.label(title(effect));
+            ui.hint(spoken(because));
+        }
     });
 }

@@ -5,6 +5,7 @@ use egui::{Align, CursorIcon, Layout, RichText, Role, Sense, Ui, WidgetInfo};
 use egui_extras::{Column, TableBuilder, TableRow};
 
 use crate::gui::actions::EXCLUDE;
+use crate::gui::core::quantity::Scale;
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Sorting;
 use crate::gui::views::copies;
@@ -52,16 +53,11 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
             .scroll_to_row(place(sample).unwrap_or(sample), align)
             .animate_scrolling(false);
     }
-    let length = units.length_name();
-    let angle = if loaded_session.turns() {
-        units.angle_name().trim()
-    } else {
-        length
-    };
+    let scale = Scale::of_joint(units, loaded_session.turns());
     let mut hovered = None;
     table
         .header(HEAD, |mut header| {
-            sorting = heads(&mut header, [angle, length], sorting);
+            sorting = heads(&mut header, [&scale.unit, units.length_name()], sorting);
         })
         .body(|body| {
             body.rows(ROW, loaded_session.len(), |mut row| {
@@ -73,12 +69,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
                 row.set_hovered(view.hovered == Some(sample));
                 let before = loaded_session.before.length_mm[sample];
                 let after = answer.map(|a| a.after.length_mm[sample]);
-                let q = loaded_session.q(sample);
-                let q = if loaded_session.turns() {
-                    trimmed(units.angle_value(q), 3)
-                } else {
-                    trimmed(units.length_value(q), 3)
-                };
+                let q = trimmed(scale.shown(loaded_session.q(sample)), 3);
                 let text = |text: String| {
                     let text = RichText::new(text);
                     if excluded {
@@ -223,7 +214,7 @@ fn held_against(ui: &mut Ui, workbench: &Workbench, shown_mm: Option<f64>) {
     let palette = Palette::of(ui);
     match (shown_mm, workbench.document().tolerance_mm) {
         (None, _) => {
-            let says = say!("excluded by hand, in no figure");
+            let says = say!("excluded");
             sign(ui, "×", palette.muted, says);
         }
         (Some(mm), Some(tolerance_mm)) if mm.is_finite() => {

@@ -7,7 +7,6 @@ use egui::{Align, DragValue, Layout, Response, RichText, TextEdit, Ui};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::gui::actions;
 use crate::gui::core::disk::name_of;
-use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::quantity::joint_value;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::import_draft::in_the_windows_words;
@@ -71,7 +70,7 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
         ui.fact(say!("joints"), joints.len().to_string());
     }
     if loaded_session.is_empty() {
-        ui.fact(say!("samples"), say!("none: this is a model"));
+        ui.fact(say!("samples"), "0");
         return;
     }
     let mut samples = grouped(loaded_session.len());
@@ -94,13 +93,13 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
         ui.fact(say!("instrument"), &session.instrument.name);
     }
     let sigma = match session.instrument.sigma_mm {
-        None => say!("not given").to_owned(),
+        None => "–".to_owned(),
         Some(Sigma::Overall(sigma)) => units.length(sigma),
         Some(Sigma::PerAxis([x, y, z])) => units.length(((x * x + y * y + z * z) / 3.0).sqrt()),
     };
     ui.fact(say!("noise, one σ"), sigma);
     if session.samples.z_mm.is_none() {
-        ui.fact(say!("coordinates"), say!("x and y; z was not measured"));
+        ui.fact(say!("coordinates"), "x, y");
     }
     if session.compensated_by.is_some() {
         ui.fact(say!("compensated"), say!("yes: this shows what is left"));
@@ -168,23 +167,30 @@ fn findings(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-fn finding_line(ui: &mut Ui, finding: &Diagnostic, workbench: &Workbench) {
+/// What was found, behind its kind: a word as well as a colour.
+pub(crate) fn finding(ui: &mut Ui, severity: Severity, contents: impl FnOnce(&mut Ui)) {
     let palette = Palette::of(ui);
-    let (mark, color) = match finding.severity {
+    let (mark, color) = match severity {
         Severity::Note => (say!("note"), palette.muted),
         Severity::Warning => (say!("warning"), palette.warning),
         Severity::Error => (say!("error"), palette.outside),
     };
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
-        let text = in_the_windows_words(&finding.clone().without_folder());
+        contents(ui);
+    });
+}
+
+fn finding_line(ui: &mut Ui, found: &Diagnostic, workbench: &Workbench) {
+    finding(ui, found.severity, |ui| {
+        let text = in_the_windows_words(&found.clone().without_folder());
         let text = RichText::new(text).small();
-        if finding.samples.is_empty() {
+        if found.samples.is_empty() {
             ui.label(text);
             return;
         }
         let link = ui.link(text).on_hover_text(say!("Show these samples"));
-        let samples = finding.samples.clone();
+        let samples = found.samples.clone();
         link.does(workbench, |bench| bench.view.mark(samples));
     });
 }
@@ -199,7 +205,7 @@ fn path_field(ui: &mut Ui, workbench: &Workbench) {
         let button = egui::Button::new(say!("Open"));
         let pressed = ui.add_enabled(!typed.trim().is_empty(), button).clicked();
         let field = TextEdit::singleline(&mut typed)
-            .hint_text(say!("type a path, or drop a file"))
+            .hint_text(say!("type a path"))
             .align(egui::Align2::LEFT_CENTER);
         let field = ui.add_sized(ui.available_size(), field);
         widgets::label(&field, say!("Path of a session or model"));
@@ -215,9 +221,6 @@ fn path_field(ui: &mut Ui, workbench: &Workbench) {
 
 pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     let loaded_session = workbench.loaded_session();
-    if loaded_session.origin == Origin::Bundled {
-        ui.hint(say!("This is an example that comes with the program"));
-    }
     let step = if workbench.document().loaded_model.is_some() {
         Step::Export
     } else if loaded_session.single_revolute() {

@@ -21,10 +21,8 @@ use crate::gui::workbench::Workbench;
 fn line(workbench: &Workbench) -> String {
     let loaded_session = workbench.loaded_session();
     if loaded_session.is_empty() {
-        return say!(
-            "model of {robot} · open a session measured on this robot to see what the model does",
-            robot = loaded_session.session.robot.name
-        );
+        let open = say!("Open a session that was measured on this robot");
+        return format!("{} · {open}", loaded_session.session.robot.name);
     }
     let units = workbench.units();
     let samples =
@@ -76,7 +74,7 @@ fn line(workbench: &Workbench) -> String {
 /// What there is to say while nothing runs.
 fn idle(ui: &mut Ui, workbench: &Workbench) {
     if workbench.is_declined() {
-        ui.small_button(say!("Identify again"))
+        ui.small_button(say!("Identify"))
             .does(workbench, move |bench| bench.identify(None));
         let says = RichText::new(say!("the identification was cancelled")).size(size::NOTE);
         ui.colored_label(Palette::of(ui).warning, says);

@@ -32,12 +32,6 @@ pub(crate) trait Buttons {
     fn secondary(&mut self, text: &str) -> Response;
     /// One of several, side by side. The one that was clicked.
     fn segmented<T: Copy + PartialEq>(&mut self, options: &[(T, &str)], current: T) -> Option<T>;
-    /// The same where a short name is shown and a longer one says what it means.
-    fn segmented_named<T: Copy + PartialEq>(
-        &mut self,
-        options: &[(T, &str, &str)],
-        current: T,
-    ) -> Option<T>;
     /// A square button with a sign, called by its name.
     fn icon_button(&mut self, sign: &str, name: &str) -> Response;
     /// A button without a frame, called by its name whatever it shows.
@@ -60,15 +54,6 @@ impl Buttons for Ui {
     }
 
     fn segmented<T: Copy + PartialEq>(&mut self, options: &[(T, &str)], current: T) -> Option<T> {
-        let named = options.iter().map(|(value, name)| (*value, *name, *name));
-        self.segmented_named(&named.collect::<Vec<_>>(), current)
-    }
-
-    fn segmented_named<T: Copy + PartialEq>(
-        &mut self,
-        options: &[(T, &str, &str)],
-        current: T,
-    ) -> Option<T> {
         let palette = Palette::of(self);
         let mut chosen = None;
         let frame = Frame::NONE
@@ -83,14 +68,10 @@ impl Buttons for Ui {
                 let backwards = ui.layout().prefer_right_to_left();
                 for k in 0..options.len() {
                     let k = if backwards { options.len() - 1 - k } else { k };
-                    let (value, name, meant) = options[k];
+                    let (value, name) = options[k];
                     let on = value == current;
-                    let response = segment(ui, palette, name, meant, on);
-                    if response.clicked() && !on {
+                    if segment(ui, palette, name, on).clicked() && !on {
                         chosen = Some(value);
-                    }
-                    if name != meant {
-                        response.on_hover_text(meant);
                     }
                 }
             });
@@ -132,6 +113,16 @@ impl Buttons for Ui {
             pressed
         })
     }
+}
+
+/// The buttons at the end of a sheet: one that leaves it, and what it is for, where that can be done. Whether that was
+/// pressed.
+pub(crate) fn ended(ui: &mut Ui, workbench: &Workbench, (name, ready): (&str, bool)) -> bool {
+    let pressed = ui.foot([(say!("Cancel"), true), (name, ready)]);
+    if pressed == Some(0) {
+        workbench.then(|bench| bench.show_sheet(None));
+    }
+    pressed == Some(1)
 }
 
 /// A button as wide as there is room, filled where it stands out.
@@ -246,7 +237,7 @@ pub(crate) fn width_of_segments<T>(ui: &Ui, options: &[(T, &str)]) -> f32 {
     each.sum::<f32>() + 6.0 + 2.0 * options.len() as f32
 }
 
-fn segment(ui: &mut Ui, palette: Palette, name: &str, meant: &str, on: bool) -> Response {
+fn segment(ui: &mut Ui, palette: Palette, name: &str, on: bool) -> Response {
     let text = RichText::new(name);
     let text = if on {
         text.font(strong(size::SMALL)).color(palette.accent)
@@ -272,7 +263,7 @@ fn segment(ui: &mut Ui, palette: Palette, name: &str, meant: &str, on: bool) -> 
         .min_size(vec2(34.0, 22.0));
     let response = ui.add(button);
     let enabled = ui.is_enabled();
-    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, enabled, on, meant));
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, enabled, on, name));
     response
 }
 

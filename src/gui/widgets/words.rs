@@ -19,8 +19,6 @@ pub(crate) trait Words {
     fn caption(&mut self, text: &str) -> Response;
     /// A sentence that explains.
     fn hint(&mut self, text: impl Into<String>);
-    /// The same above a button that is always in sight: in a low window the controls of the step need the room.
-    fn hint_if_roomy(&mut self, text: impl Into<String>);
     /// What is wrong with the field above.
     fn wrong(&mut self, text: &str);
     /// A name and what it is: on one line, or below each other where that is too narrow.
@@ -47,14 +45,6 @@ impl Words for Ui {
 
     fn hint(&mut self, text: impl Into<String>) {
         sentence(self, RichText::new(text).size(size::NOTE).weak());
-    }
-
-    fn hint_if_roomy(&mut self, text: impl Into<String>) {
-        /// Height of a window that has room for more than what is done, points.
-        const ROOMY: f32 = 480.0;
-        if self.ctx().content_rect().height() >= ROOMY {
-            self.hint(text);
-        }
     }
 
     fn wrong(&mut self, text: &str) {

@@ -101,7 +101,7 @@ impl Workbench {
     /// Where the base is drawn in the measuring frame: in space where the session's setups put it, or
     /// as it was identified, once that is shown.
     pub(crate) fn base(&self) -> Isometry3<f64> {
-        let in_space = self.view.in_space();
+        let in_space = self.view.in_space;
         let shown = in_space && self.view.blend > 0.0;
         let found = self.found_base().filter(|_| shown);
         let own = self.loaded_session().base.filter(|_| in_space);
@@ -125,7 +125,7 @@ impl Workbench {
     }
 
     fn shows_heat(&self) -> bool {
-        self.view.heat && !self.view.in_space()
+        self.view.heat && !self.view.in_space
     }
 
     /// The export as it would be written, or why there is none. While a newer one of the same table is being made it
@@ -213,10 +213,8 @@ impl Workbench {
     /// A search begins where the exact identification ends.
     pub(crate) fn search(&mut self) {
         if self.loaded_session().is_empty() {
-            return self.complain(
-                say!("There is nothing to search yet"),
-                [say!("Open a session that was measured on this robot")],
-            );
+            let first = say!("Open a session that was measured on this robot");
+            return self.complain(first, None::<&str>);
         }
         // Asked for by its key it is seen as well.
         self.view.step = Step::Gap;
@@ -225,20 +223,11 @@ impl Workbench {
             && document.method == Method::Exact
             && document.loaded_model.is_none();
         if !exact {
-            let title = match &document.loaded_model {
-                Some(_) => Some(say!(
-                    "Identified with the full model in place of the model from a file"
-                )),
-                None if document.identified => Some(say!(
-                    "Identified with the full model in place of the identification by region"
-                )),
-                None => None,
-            };
-            self.view.message = title.map(|title| {
-                let undo =
-                    say!("The diagnosis starts from the full model, which takes the place of what is identified now. Undo brings that back");
-                Message::done(title.to_owned(), vec![undo.to_owned()])
-            });
+            let title = say!(
+                "The diagnosis starts from the full model, which takes the place of what is identified now. Undo brings that back"
+            );
+            let replaced = document.loaded_model.is_some() || document.identified;
+            self.view.message = replaced.then(|| Message::done(title, Vec::new()));
             self.identify(Some(Method::Exact));
         }
         self.search_in(Arc::clone(self.loaded_session()));

@@ -45,7 +45,7 @@ impl Workbench {
         self.derived.searching = Some(Arc::clone(&loaded_session));
         self.jobs.start(
             Kind::Searches,
-            say!("searching"),
+            say!("Diagnosis is running"),
             move |watch| Search::of(loaded_session, watch),
             // What is in the model may be just what was found, with the search's values.
             |bench: &mut Self, search| {
@@ -127,12 +127,12 @@ impl Workbench {
     pub(super) fn take_opened(&mut self, opened: Result<Opened, Message>) {
         match opened {
             Ok(Opened::Session(loaded_session)) => {
-                self.edit(|document| Ok(document.open(loaded_session)));
+                self.replace(|document| document.open(loaded_session));
             }
             Ok(Opened::Foreign(draft)) => self.ask_about(draft),
             Ok(Opened::Model(given)) => {
                 let beside = self.has_a_session_for(&given);
-                self.edit(|document| Ok(document.open_model(given, beside)));
+                self.replace(|document| document.open_model(given, beside));
             }
             Err(message) => self.take_written(message),
         }
@@ -173,7 +173,7 @@ impl Workbench {
             move || files::open_outside(&path, in_folder).map_err(|because| (path, because)),
             |bench: &mut Self, opened| {
                 if let Err((path, because)) = opened {
-                    let title = say!("{path} could not be opened", path = path.display());
+                    let title = say!("{path} was not opened", path = path.display());
                     bench.complain(&title, vec![because]);
                 }
             },
@@ -231,13 +231,12 @@ impl Workbench {
             return;
         };
         let path = self.placed(self.name_of(what).as_ref());
+        let proposed = path.clone();
         let ask = move || files::choose_to_export(what, &path);
-        self.choose(ask, move |bench, path| {
-            if let Some(path) = path {
-                // The dialog has asked.
-                return write(bench, path, true);
-            }
-            bench.type_path(what);
+        self.choose(ask, move |bench, path| match path {
+            // The dialog has asked.
+            Some(path) => write(bench, path, true),
+            None => bench.type_path(what, &proposed),
         });
     }
 

@@ -42,9 +42,8 @@ impl Workbench {
             document: Arc::clone(self.history.present()),
             loaded_session: Arc::clone(self.loaded_session()),
             step: view.step,
-            plane: view.plane,
             effect: view.effect,
-            after_alone: self.only_after(),
+            only_after: self.only_after(),
             component: view.component,
             joint: view.joint,
             units: self.units(),
@@ -98,7 +97,8 @@ impl Workbench {
             write_numbers(scene.written.1);
             kind.numbers(&scene).tabbed()
         };
-        let says = say!("copying the numbers of a chart");
+        let of = kind.about().name().to_lowercase();
+        let says = say!("Copy numbers: {of}", of);
         self.jobs
             .start(JobKind::Once, says, work, |_: &mut Self, text| copied(text));
     }

@@ -4,12 +4,13 @@
 use std::sync::Arc;
 
 use crate::sessions::Region;
+use crate::text::spoken;
 
 use crate::gui::core::disk::name_of;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::regions::{Counts, Decision, adapt};
 use crate::gui::files;
-use crate::gui::import_draft::{Companion, ImportDraft, InspectedDraft};
+use crate::gui::import_draft::{Companion, ImportDraft, InspectedDraft, LOOKING};
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::{Message, Sheet};
 
@@ -100,7 +101,7 @@ impl Workbench {
         };
         self.jobs.start(
             Kind::Looks,
-            say!("looking at the file"),
+            spoken(LOOKING),
             work,
             |bench: &mut Self, (seen, of)| {
                 // A cancelled one has no result.
@@ -122,7 +123,7 @@ impl Workbench {
         if let Some(loaded_session) = result {
             self.view.sheet = None;
             self.file_state.left_draft = None;
-            self.edit(|document| Ok(document.open(loaded_session)));
+            self.replace(|document| document.open(loaded_session));
         }
     }
 }

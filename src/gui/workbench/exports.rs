@@ -103,22 +103,17 @@ impl Workbench {
     /// An export, once it is known where to: all that goes into it is taken now. Where there is nothing to be
     /// written, that is said.
     pub(super) fn prepared(&mut self, what: What) -> Option<Write> {
-        self.write_of(what).unwrap_or_else(|[title, first]| {
-            self.complain(title, [first]);
+        self.write_of(what).unwrap_or_else(|first| {
+            self.complain(say!("There is nothing to export yet"), [first]);
             None
         })
     }
 
-    /// What writes it, or what is missing and what to do first.
-    fn write_of(&mut self, what: What) -> Result<Option<Write>, [&'static str; 2]> {
+    /// What writes it, or what to do first.
+    fn write_of(&mut self, what: What) -> Result<Option<Write>, &'static str> {
         Ok(match what {
             What::Session => {
-                if self.loaded_session().is_empty() {
-                    return Err([
-                        say!("There is no session to save"),
-                        say!("A model by itself is saved in the Export step"),
-                    ]);
-                }
+                self.measured()?;
                 let document = Arc::clone(self.history.present());
                 Some(Box::new(move |bench: &mut Self, path, replace| {
                     let replacing = [Replace::Nothing, Replace::Named][usize::from(replace)];
@@ -135,10 +130,7 @@ impl Workbench {
                 table.and_then(|table| Some(list(robot_document(&table.robot().ok()?))))
             }
             What::Poses => {
-                let diagnosis = self.diagnosis().ok_or([
-                    say!("There is no measuring list yet"),
-                    say!("Run the diagnosis first"),
-                ])?;
+                let diagnosis = self.diagnosis().ok_or(say!("Run the diagnosis first"))?;
                 let robot = &self.loaded_session().session.robot;
                 let poses = measuring_list(&diagnosis.next_poses, robot);
                 Some(list(poses))
@@ -147,12 +139,17 @@ impl Workbench {
         })
     }
 
+    fn measured(&self) -> Result<(), &'static str> {
+        if self.loaded_session().is_empty() {
+            return Err(say!("Open a session that was measured on this robot"));
+        }
+        Ok(())
+    }
+
     /// From what is shown, but under the name that is chosen.
-    fn table_or_model(&self, what: What) -> Result<Write, [&'static str; 2]> {
-        let identified = self.shown_outcome().ok_or([
-            say!("There is nothing to export yet"),
-            say!("Identify the robot first"),
-        ])?;
+    fn table_or_model(&self, what: What) -> Result<Write, &'static str> {
+        let identified = self.shown_outcome();
+        let identified = identified.ok_or(say!("Identify the robot first"))?;
         let (choice, question) = (self.document().export.clone(), self.question());
         let inputs = choice.reference.iter().cloned().collect();
         let wanted = PreviewRequest {
@@ -183,21 +180,15 @@ impl Workbench {
         inputs
     }
 
-    fn report(&self, about: About) -> Result<Write, [&'static str; 2]> {
-        let source = match (about, self.shown_outcome(), self.answer()) {
-            (About::Model, Some(outcome), Some(_)) => Source::Model(outcome),
-            (About::Session, ..) if !self.loaded_session().is_empty() => {
-                let answered = |search: &&Arc<Search>| search.answer.is_ok();
-                let searched = self.search_of_this().filter(answered).cloned();
-                let in_use = self.shown_outcome();
-                Source::Session(Arc::clone(self.history.present()), searched, in_use)
-            }
-            _ => {
-                return Err([
-                    say!("There is nothing to report yet"),
-                    say!("Open a session, or identify the robot first"),
-                ]);
-            }
+    fn report(&self, about: About) -> Result<Write, &'static str> {
+        let in_use = self.shown_outcome();
+        let source = if about == About::Model {
+            Source::Model(in_use.ok_or(say!("Identify the robot first"))?)
+        } else {
+            self.measured()?;
+            let answered = |search: &&Arc<Search>| search.answer.is_ok();
+            let searched = self.search_of_this().filter(answered).cloned();
+            Source::Session(Arc::clone(self.history.present()), searched, in_use)
         };
         let stated = self.stated();
         let wanted = writing::ReportRequest {
@@ -258,10 +249,8 @@ impl Workbench {
             return;
         };
         if image.is_none() {
-            return self.complain(
-                say!("There is no picture of the workspace"),
-                [say!("Show the workspace first")],
-            );
+            let first = say!("Show the workspace first");
+            return self.complain(say!("There is nothing to export yet"), [first]);
         }
         self.picture = image;
         self.execute(then);
@@ -382,11 +371,9 @@ impl Workbench {
     }
 
     /// The corrected targets, and what was changed beside them.
-    fn targets(&self) -> Result<Write, [&'static str; 2]> {
-        let compensated = self.derived.compensated.clone().ok_or([
-            say!("There is nothing to export yet"),
-            say!("Choose a table of targets or a robot program first"),
-        ])?;
+    fn targets(&self) -> Result<Write, &'static str> {
+        let compensated = self.derived.compensated.clone();
+        let compensated = compensated.ok_or(say!("Targets and programs"))?;
         let mut inputs = self.inputs();
         inputs.push(compensated.wanted.path.clone());
         inputs.extend(compensated.wanted.with.iter().cloned());

@@ -49,8 +49,7 @@ use crate::gui::files;
 use crate::gui::import_draft::ImportDraft;
 use crate::gui::jobs::{Jobs, Slot};
 use crate::gui::view::{
-    Aspect, Camera, Message, NextAction, OnDisk, Plane, Preferences, Sheet, Sorting, Step,
-    ViewState,
+    Camera, Message, NextAction, OnDisk, Plane, Preferences, Sheet, Sorting, Step, ViewState,
 };
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
@@ -302,8 +301,8 @@ impl Workbench {
         let mut next = self.document().clone();
         match change(&mut next) {
             Err(because) => self.complain(say!("This change cannot be made"), vec![because]),
-            Ok(what) if self.dragging => self.history.change_within_gesture(next, what),
-            Ok(what) => self.history.change(next, what),
+            Ok(()) if self.dragging => self.history.change_within_gesture(next),
+            Ok(()) => self.history.change(next),
         }
         if !Arc::ptr_eq(&before, self.loaded_session()) {
             self.view.marked.clear();
@@ -321,6 +320,14 @@ impl Workbench {
             self.view.message = None;
             self.opened();
         }
+    }
+
+    /// One that can be made in any case.
+    pub(crate) fn replace(&mut self, change: impl FnOnce(&mut Document)) {
+        self.edit(|document| {
+            change(document);
+            Ok(())
+        });
     }
 
     /// Makes one once the frame is drawn.
@@ -371,12 +378,7 @@ impl Workbench {
     /// no plane shows them.
     fn look_along_the_axis(&mut self) {
         let along = self.loaded_session().joint.along;
-        let several = self.loaded_session().session.robot.joint_count() > 1;
-        self.view.aspect = if several {
-            Aspect::Space
-        } else {
-            Aspect::Plane
-        };
+        self.view.in_space = self.loaded_session().session.robot.joint_count() > 1;
         self.view.camera = Camera::default();
         let steepest = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
         self.view.plane = Plane::ALL

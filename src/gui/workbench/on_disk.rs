@@ -100,13 +100,12 @@ impl Workbench {
     }
 
     /// Opens the sheet on which a path to write to is typed.
-    pub(crate) fn type_path(&mut self, what: What) {
-        let path = self.placed(self.name_of(what).as_ref());
-        self.view.sheet = Some(Sheet::Path {
+    pub(crate) fn type_path(&mut self, what: What, path: &Path) {
+        self.show_sheet(Some(Sheet::Path {
             what,
             path: path.display().to_string(),
             replace: false,
-        });
+        }));
     }
 
     /// The file with its samples, if they are in one.

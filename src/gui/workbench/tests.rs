@@ -98,7 +98,7 @@ fn dragging_a_boundary_identifies_by_region_and_is_undone_in_one_step() {
         assert_eq!(outcome.identification.method, "regional");
     }
     workbench.execute(|bench| bench.drag(false));
-    assert_eq!(workbench.undoes(), Some("move boundary"));
+    assert_eq!(workbench.undoes(), Some("change regions"));
     workbench.execute(Workbench::undo);
     let all = boundaries(&workbench.document().regions);
     assert!(all[3].at_rad.abs() < 1e-12);
@@ -328,7 +328,7 @@ fn a_search_ends_where_another_session_is_opened() {
     assert!(workbench.searching().is_some());
     let session = workbench.loaded_session().session.clone();
     let other = LoadedSession::new(session, Vec::new(), Origin::Imported("other.txt".into()));
-    workbench.execute(|bench| bench.edit(|d| Ok(d.open(Arc::new(other)))));
+    workbench.execute(|bench| bench.replace(|d| d.open(Arc::new(other))));
     assert!(workbench.searching().is_none());
 }
 
@@ -353,7 +353,7 @@ fn new_files_belong_beside_what_they_were_made_of() {
     let tracker = folder.path().join("tracker.txt");
     let session = workbench.loaded_session().session.clone();
     let imported = LoadedSession::new(session, Vec::new(), Origin::Imported(tracker));
-    workbench.execute(|bench| bench.edit(|d| Ok(d.open(Arc::new(imported)))));
+    workbench.execute(|bench| bench.replace(|d| d.open(Arc::new(imported))));
     let proposed = workbench.proposed_path();
     assert_eq!(proposed.parent(), Some(folder.path()));
     // A bare name means the same folder, not the one that the program was started in.

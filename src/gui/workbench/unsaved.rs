@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::file_state::recovery::{self, LeftBehind, SavedDocument};
@@ -93,9 +94,8 @@ impl Workbench {
                 self.open(what, move |watch| files::open(&path, watch));
             }
             NextAction::Example(index) => {
-                self.open(say!("reading an example"), move |_| {
-                    files::open_example(index)
-                });
+                let what = say!("reading {path}", path = EXAMPLES[index].name());
+                self.open(what, move |_| files::open_example(index));
             }
             NextAction::Simulate(form) => {
                 self.open(say!("simulating"), move |watch| {
@@ -114,10 +114,8 @@ impl Workbench {
         let sheet = self.view.sheet.as_ref();
         let form = sheet.filter(|sheet| **sheet != Sheet::Compensation);
         if form.is_some_and(Sheet::holds_entries) {
-            return self.complain(
-                say!("What was dropped is not opened over a form"),
-                [say!("Finish or cancel the form, then drop the file again")],
-            );
+            let first = say!("Finish or cancel the form, then drop the file again");
+            return self.complain(first, None::<&str>);
         }
         let is_document = |path: &&PathBuf| {
             let ending = path.extension();
@@ -131,9 +129,9 @@ impl Workbench {
             [] => {}
 
             [file] => self.open_file(file.clone()),
-            several => self.complain(
-                &say!("{count} files were dropped: none was opened", count = several.len()),
-                [say!("Drop one at a time: a session, a model, a robot program, or a table of measurements")],
+            _ => self.complain(
+                say!("Drop one file at a time: a session, a model, a robot program, or a table of measurements"),
+                None::<&str>,
             ),
         }
     }
@@ -200,7 +198,7 @@ impl Workbench {
         let known = self.file_state.places.get(&document.loaded_session.lineage);
         let known = known.map_or_else(Vec::new, |place| place.files.clone());
         let (what, path) = (
-            say!("saving {path}", path = path.display()),
+            say!("writing {path}", path = path.display()),
             path.to_path_buf(),
         );
         self.forget_looks();
@@ -312,7 +310,7 @@ impl Workbench {
         session.path.clone_from(&about.file);
         let origin = Origin::Recovered(about.file.clone());
         let loaded_session = Arc::new(LoadedSession::new(session, Vec::new(), origin));
-        self.edit(|document| Ok(about.restore(document, loaded_session)));
+        self.replace(|document| about.restore(document, loaded_session));
         // It is this window's from now on.
         if let Some(other) = self.file_state.recovery_file.replace(own) {
             other.tidy();

@@ -197,7 +197,7 @@ mod tests {
         let mut workbench = workbench();
         workbench.execute(|bench| bench.open_file(file.into()));
         workbench.receive();
-        assert!(workbench.view.in_space(), "no plane shows several joints");
+        assert!(workbench.view.in_space, "no plane shows several joints");
         workbench
     }
 

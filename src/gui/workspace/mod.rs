@@ -12,11 +12,11 @@ use pointer::{Seen, tell_plot_size};
 use crate::gui::core::overview::Readable;
 use crate::gui::plots::{self, axis, picture, steps_in};
 use crate::gui::style::{Palette, size, space};
-use crate::gui::view::{Aspect, Plane, Plot, Step};
+use crate::gui::view::{Plane, Plot, Step};
 use crate::gui::widgets::{self, Buttons, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::model::{magnification as magnification_of, readable, room};
-use crate::present::numbers::{significant, trimmed};
+use crate::present::numbers::significant;
 
 mod fitting;
 mod in_space;
@@ -39,7 +39,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
         ui.ctx().cumulative_pass_nr(),
     );
     ui.data_mut(|data| data.insert_temp(picture_id(), (seen, pass)));
-    if workbench.view.in_space() {
+    if workbench.view.in_space {
         in_space::show(ui, workbench);
     } else {
         plane(ui, workbench);
@@ -169,15 +169,15 @@ pub(crate) fn bar(ui: &mut Ui, workbench: &Workbench, extra: Option<ExtraControl
 /// The ways to look at the workspace.
 fn ways(ui: &mut Ui, workbench: &Workbench) {
     let view = &workbench.view;
-    let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
-    let space = ((Aspect::Space, view.plane), say!("3-D"));
+    let planes = Plane::ALL.map(|plane| ((false, plane), plane.name()));
+    let space = ((true, view.plane), say!("3-D"));
     let views = [planes[0], planes[1], planes[2], space];
     if widgets::width_of_segments(ui, &views) > ui.available_size_before_wrap().x {
         ui.end_row();
     }
-    match ui.segmented(&views, (view.aspect, view.plane)) {
-        Some((Aspect::Plane, plane)) => workbench.then(move |bench| bench.view.look_in(plane)),
-        Some((Aspect::Space, _)) => workbench.then(|bench| bench.view.look_in_space()),
+    match ui.segmented(&views, (view.in_space, view.plane)) {
+        Some((false, plane)) => workbench.then(move |bench| bench.view.look_in(plane)),
+        Some((true, _)) => workbench.then(|bench| bench.view.look_in_space()),
         None => {}
     }
 }
@@ -189,7 +189,6 @@ fn display_says() -> String {
 /// How vectors, map and colours are drawn.
 fn display(ui: &mut Ui, workbench: &Workbench) {
     let button = ui.button(RichText::new(display_says()).small());
-    widgets::label(&button, say!("How it is drawn"));
     let menu = Popup::menu(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     menu.show(|ui| {
         ui.spacing_mut().item_spacing = vec2(space::ROW, space::ROW);
@@ -197,7 +196,7 @@ fn display(ui: &mut Ui, workbench: &Workbench) {
         if let Some(after) = workbench.answer() {
             ui.row(|ui| scale_for(ui, workbench, after.readable));
         }
-        if !workbench.view.in_space() {
+        if !workbench.view.in_space {
             heat(ui, workbench);
         }
     });
@@ -228,7 +227,6 @@ fn blend(ui: &mut Ui, workbench: &Workbench) {
     if slider.changed() {
         workbench.then(move |bench| bench.view.blend = blend);
     }
-    slider.on_hover_text(blend_says(blend));
     end(ui, say!("after"), blend >= 1.0);
 }
 
@@ -242,21 +240,6 @@ fn slider(ui: &mut Ui, name: &str, long: f32, slider: Slider<'_>) -> Response {
     response
 }
 
-/// What the vectors, the marks and the heat map show.
-fn blend_says(blend: f32) -> String {
-    if blend <= 0.0 {
-        say!("shown: the deviation before, measured − nominal robot").to_owned()
-    } else if blend >= 1.0 {
-        say!("shown: what is left after, measured − identified robot").to_owned()
-    } else {
-        let percent = trimmed(100.0 * f64::from(blend), 0);
-        say!(
-            "shown: {percent} % of the way from before to after",
-            percent
-        )
-    }
-}
-
 /// How long the vectors are drawn.
 fn magnification(ui: &mut Ui, workbench: &Workbench) {
     let now = magnification_of(workbench);
@@ -264,7 +247,7 @@ fn magnification(ui: &mut Ui, workbench: &Workbench) {
     let mut factor = now;
     let control = Slider::new(&mut factor, 1.0..=100_000.0);
     let control = control.logarithmic(true).show_value(false);
-    let slider = slider(ui, say!("Length of vectors"), 60.0, control);
+    let slider = slider(ui, say!("vectors"), 60.0, control);
     if slider.changed() && factor != now {
         workbench.then(move |bench| bench.view.magnification = Some(factor));
     }
@@ -277,10 +260,7 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, after: Readable) {
     let room = room(workbench);
     let [before, left] = [loaded_session.overview.readable, after].map(|r| r.magnification(room));
     let now = magnification_of(workbench);
-    let says = say!(
-        "how long vectors are drawn and where the colours of lengths end: so that the deviations before can be read, or those that are left after"
-    );
-    ui.caption(say!("scale for")).on_hover_text(says);
+    ui.caption(say!("scale for"));
     let options = [(Some(before), say!("before")), (Some(left), say!("after"))];
     match ui.segmented(&options, Some(now)) {
         Some(Some(factor)) if factor == readable(workbench) => {
@@ -295,10 +275,7 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, after: Readable) {
 fn heat(ui: &mut Ui, workbench: &Workbench) {
     let mut shown = workbench.view.heat;
     let text = RichText::new(say!("heat map")).small();
-    let says = say!("the root mean square deviation between the samples, fading away from them");
-    let checkbox = ui.checkbox(&mut shown, text).on_hover_text(says);
-    widgets::label(&checkbox, say!("heat map"));
-    if checkbox.changed() {
+    if ui.checkbox(&mut shown, text).changed() {
         workbench.then(move |bench| bench.view.heat = shown);
     }
 }

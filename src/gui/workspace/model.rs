@@ -89,7 +89,7 @@ impl Shown {
         let usable = &loaded_session.overview.usable;
         let telling = is_sparse(workbench).then(|| {
             let mut telling = most_telling(workbench);
-            if view.in_space() {
+            if view.in_space {
                 // What is near covers what is far.
                 let nearness = |s: u32| facing.nearness(loaded_session.measured(s as usize));
                 telling.sort_by(|a, b| nearness(*a).total_cmp(&nearness(*b)).then(a.cmp(b)));
@@ -110,7 +110,7 @@ impl Shown {
         Self {
             vectors: telling.map(|samples| samples.iter().map(visible).collect()),
             paths_mm: paths(loaded_session, &workbench.base()),
-            dial: (!view.in_space())
+            dial: (!view.in_space)
                 .then(|| dial(loaded_session, view.plane))
                 .flatten(),
             magnification: look.magnification,
@@ -203,9 +203,9 @@ fn look(workbench: &Workbench) -> LayerOptions {
 
     LayerOptions {
         facing: workbench.facing(),
-        deep_mm: view.in_space().then(|| 2.0 * ball(workbench).radius_mm),
+        deep_mm: view.in_space.then(|| 2.0 * ball(workbench).radius_mm),
         centre_mm: loaded_session.cloud().centre_mm,
-        framed: view.in_space() && workbench.found_base().is_some(),
+        framed: view.in_space && workbench.found_base().is_some(),
         blend: if answered { view.blend } else { 0.0 },
         answered,
         magnification,

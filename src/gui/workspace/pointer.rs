@@ -14,7 +14,7 @@ use crate::gui::core::quantity::joint_value;
 use crate::gui::core::regions::{self, SNAP_DEG};
 use crate::gui::style::Palette;
 use crate::gui::view::ViewState;
-use crate::gui::widgets::{self, Words};
+use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::model::{Shown, judged};
 use crate::gui::workspace::pen::Camera;
@@ -127,9 +127,6 @@ fn card(response: &Response, workbench: &Workbench, sample: usize) {
     tip.gap(GAP).show(|ui| {
         let card = ui.scope(|ui| {
             widgets::facts(ui, &said);
-            if !chosen {
-                ui.caption(say!("click for more"));
-            }
         });
         let says = spoken(&said.0, &said.1);
         let info = || WidgetInfo::labeled(Role::Tooltip, true, says.clone());
@@ -167,7 +164,7 @@ fn about(workbench: &Workbench, sample: usize, all: bool) -> (String, Vec<Line>)
     }
     let mut line = |name: &str, value: String| lines.push((name.to_owned(), value));
     if all {
-        let came = match loaded_session.side(sample) {
+        let came = match loaded_session.side(0, sample) {
             s if s > 0.0 => say!("approach +"),
             s if s < 0.0 => say!("approach −"),
             _ => say!("not known"),
@@ -388,9 +385,6 @@ pub(crate) fn boundary_handles(ui: &mut Ui, workbench: &Workbench, handles: &Han
             workbench.edits(move |document| document.move_boundary(index, to));
         }
         paint(ui, &response);
-        response.on_hover_text(say!(
-            "drag, or press the arrow keys; shift takes larger steps"
-        ));
     }
 }
 

@@ -197,7 +197,7 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
             bench.edit(Document::regions_of_session);
         }),
         19 => deed("KeepRegions", (), |bench, ()| {
-            bench.edit(|d| Ok(d.keep_regions()));
+            bench.replace(|d| d.keep_regions());
         }),
         20 => deed(
             "Method",
@@ -497,7 +497,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         70 => deed("Import", (), |bench, ()| bench.import()),
         71 => deed(
             "OpenExample",
-            NextAction::Example(random.random_range(0..6)),
+            NextAction::Example(random.random_range(0..5)),
             super::super::Workbench::ask_then,
         ),
         72 | 73 => deed("Do", then(random, files), super::super::Workbench::go),

@@ -170,7 +170,7 @@ impl EffectCurve {
                 x: at(sample),
                 residual_mm: loaded_session.component(e, sample, component),
                 effect_mm: loaded_session.component(d, sample, component),
-                side: over.side(loaded_session, sample),
+                side: loaded_session.side(over.joint, sample),
             }
         };
         let mut spots: Vec<EffectSample> =

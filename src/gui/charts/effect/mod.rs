@@ -46,8 +46,8 @@ pub(crate) fn sketches(search: &Search) -> Sketches {
 
 impl ChartKind for Effect {
     fn about(&self) -> About {
-        let names = [phrase!("effect"), phrase!("Effect's own curve")];
-        About::new(ID, names, help::EFFECT_CURVE, ChartChoice::Component)
+        let name = help::EFFECT_CURVE.name;
+        About::new(ID, name, help::EFFECT_CURVE, ChartChoice::Component)
     }
 
     fn is_offered(&self, scene: &Scene) -> bool {

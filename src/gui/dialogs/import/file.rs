@@ -303,10 +303,7 @@ pub(super) fn order_of_rows(ui: &mut Ui, answers: &mut ImportAnswers) {
         ui.checkbox(
             &mut answers.in_measuring_order,
             say!("the rows are in the order in which they were measured"),
-        )
-        .on_hover_text(say!(
-            "The side from which each joint came follows from the row before, so that backlash can be tested"
-        ));
+        );
     }
 }
 
@@ -348,12 +345,7 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
             ppm = format!("{ppm:+.1}")
         ));
     }
-    let heads = [
-        say!("residual, mm"),
-        say!("in x"),
-        say!("in y"),
-        say!("in z"),
-    ];
+    let heads = [say!("residual, mm"), "x", "y", "z"];
     let mut columns = vec![Column::words(say!("point"))];
     columns.extend(heads.map(Column::numbers));
     columns.push(Column::words(""));
@@ -410,7 +402,8 @@ pub(super) fn path(
     let row = egui::Layout::right_to_left(egui::Align::Center);
     let room = egui::vec2(ui.available_width(), space::CONTROL);
     ui.allocate_ui_with_layout(room, row, |ui| {
-        let button = ui.named(say!("Choose: {label}", label), Button::new(say!("Choose…")));
+        let choose = say!("Choose…");
+        let button = ui.named(format!("{choose} {label}"), Button::new(choose));
         button.does(workbench, move |bench| bench.choose_beside(which));
         let field = TextEdit::singleline(&mut typed).hint_text(hint);
         let field = ui.add_sized([ui.available_width(), space::CONTROL], field);
@@ -426,9 +419,9 @@ pub(super) fn path(
     ui.horizontal_wrapped(|ui| {
         for path in draft.neighbours.suiting(which).filter(|_| none) {
             let file = name_of(path);
-            let text = say!("Use {file} from the same folder", file);
+            let text = say!("Use {file}", file);
+            let name = format!("{text}: {label}");
             let link = Link::new(RichText::new(text).small());
-            let name = say!("Use {file}: {label}", file, label);
             if ui.named(name, link).clicked() {
                 typed = path.display().to_string();
             }

@@ -22,8 +22,8 @@ use crate::gui::import_draft::{
     Companion, ImportDraft, InspectedDraft, LOOKING, RobotFrom, in_the_windows_words,
 };
 use crate::gui::style::{Palette, size, space};
-use crate::gui::views::blocks;
-use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
+use crate::gui::views::{blocks, session};
+use crate::gui::widgets::{self, Does, Forms, Words};
 use crate::gui::workbench::Workbench;
 
 use super::robots::{self, Robot as ListedRobot};
@@ -73,11 +73,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) 
         same && !draft.is_up_to_date(),
         missing.as_deref(),
     );
-    let ready = missing.is_none();
-    match ui.foot([(say!("Cancel"), true), (say!("Import"), ready)]) {
-        Some(0) => workbench.then(|bench| bench.show_sheet(None)),
-        Some(_) => workbench.then(Workbench::import),
-        None => {}
+    if widgets::ended(ui, workbench, (say!("Import"), missing.is_none())) {
+        workbench.then(Workbench::import);
     }
 }
 
@@ -85,7 +82,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) 
 fn foot(ui: &mut Ui, workbench: &Workbench, cancelled: bool, missing: Option<&str>) {
     ui.horizontal(|ui| {
         if let Some(running) = workbench.looking() {
-            ui.hint(spoken(LOOKING));
+            ui.hint(capital(spoken(LOOKING)));
             if let Some(part) = running.progress() {
                 let bar = ProgressBar::new(part).desired_width(120.0);
                 ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
@@ -157,7 +154,7 @@ fn robot(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
             (&capital(say!("base")), say!("Link of the base"), base),
             (&say!("Tip").to_owned(), say!("Link of the tool"), tip),
         ] {
-            let field = TextEdit::singleline(link).hint_text(say!("name of a link"));
+            let field = TextEdit::singleline(link);
             ui.form_row(row, |ui| drop(ui.named(label, field)));
         }
     }
@@ -253,13 +250,8 @@ fn in_words(robot: &Robot) -> String {
     )
 }
 
-/// A finding as a line; its kind is a word as well as a colour.
 fn line(ui: &mut Ui, severity: Severity, says: &str) {
-    let palette = Palette::of(ui);
-    let (text, color) = match severity {
-        Severity::Note => (says.to_owned(), palette.muted),
-        Severity::Warning => (say!("Warning: {says}", says), palette.warning),
-        Severity::Error => (say!("Error: {says}", says), palette.outside),
-    };
-    ui.label(RichText::new(text).small().color(color));
+    session::finding(ui, severity, |ui| {
+        drop(ui.label(RichText::new(says).small()))
+    });
 }

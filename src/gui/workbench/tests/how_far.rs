@@ -171,7 +171,7 @@ fn a_session_that_is_saved_says_how_far_it_is_and_cancelled_the_old_file_stays()
         halfway(move |watch| files::save(document, &to, files::Replace::Named, Vec::new(), watch));
     bench.jobs.start(
         Kind::Writes,
-        "saving session.json",
+        "writing session.json",
         work,
         Workbench::take_saved,
     );
@@ -180,7 +180,7 @@ fn a_session_that_is_saved_says_how_far_it_is_and_cancelled_the_old_file_stays()
     assert!(
         bar.describe(&mut bench)
             .iter()
-            .any(|s| s == "saving session.json")
+            .any(|s| s == "writing session.json")
     );
     bar.press(&mut bench, "Cancel");
     assert!(bar.describe(&mut bench).iter().any(|s| s == "cancelling"));
