@@ -150,7 +150,9 @@ fn of_the_robot(ui: &mut Ui, workbench: &Workbench, choice: &ExportChoice) {
             (Zeros::Origins, say!("origins")),
             (Zeros::Controller, say!("controller")),
         ];
-        ui.weak(say!("zero offsets"));
+        ui.weak(say!("zero offsets")).on_hover_text(say!(
+            "Who takes the zero offsets of the joints of a corrected robot, the geometry of the file or the controller, never both"
+        ));
         next.zeros = ui
             .segmented(&offered, choice.zeros.unwrap_or(usual))
             .or(next.zeros);
@@ -172,7 +174,9 @@ fn of_the_robot(ui: &mut Ui, workbench: &Workbench, choice: &ExportChoice) {
         );
     }
     if asked.reference {
-        ui.weak(say!("File that the export starts from"));
+        ui.weak(say!("File that the export starts from")).on_hover_text(say!(
+            "The URDF that the robot was read from, to be changed in place with its names and meshes; the motor calibration of lerobot that was active while measuring"
+        ));
         if let Some(path) = &choice.reference {
             let name = name_of(path);
             let without = Button::new(format!("× {name}"));
@@ -225,6 +229,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
     match workbench.export() {
         Some(Ok(made)) => made_preview(ui, workbench, made),
         None if workbench.answer().is_none() => super::results::beforehand(ui, workbench),
+        None if !workbench.is_unprepared() => ui.hint(say!("The table is being prepared")),
         // Why there is none stands at the left, beside what can be done instead.
         _ => {}
     }

@@ -48,8 +48,22 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
     switches(ui, workbench);
 }
 
-/// What the search takes the place of.
+/// What the search does, where the work stands, and what it takes the place of.
 fn before(ui: &mut Ui, workbench: &Workbench) {
+    ui.hint(say!(
+        "Finds the physical effects that the model lacks. Each is checked on samples that its fit has not used (cross-validation)"
+    ));
+    let left_mm = workbench
+        .answer()
+        .map(|a| a.identification.gap.after.rms_mm);
+    let floor_mm = workbench.loaded_session().coverage.floor_mm;
+    if let (Some(left), Some(floor)) = (left_mm, floor_mm) {
+        ui.hint(if left < 1.2 * floor {
+            say!("Little error is left above the instrument's noise. The diagnosis says where nothing is missing, with the detection limits")
+        } else {
+            say!("More error is left than noise explains: something is missing in the model")
+        });
+    }
     let document = workbench.document();
     if document.loaded_model.is_some() || document.identified && document.method == Method::Regional
     {

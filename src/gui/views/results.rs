@@ -196,8 +196,8 @@ pub(super) fn controls(ui: &mut Ui, workbench: &Workbench) {
         let anew = ui.secondary(say!("Identify from this session"));
         return anew.does(workbench, |bench| bench.identify(None));
     }
-    ui.section(say!("Method"));
     if workbench.loaded_session().single_revolute() {
+        ui.section(say!("Method"));
         let methods = [
             (Method::Exact, &*capital(say!("full model"))),
             (Method::Regional, &*capital(say!("by region"))),
