@@ -850,7 +850,7 @@ fn what_is_no_file_is_not_opened() {
         parse(sound().as_bytes())
             .unwrap_err()
             .to_string()
-            .contains("samples in a file")
+            .contains("no other file")
     );
 }
 

@@ -182,7 +182,10 @@ fn what_cannot_be_recorded_is_refused_and_leaves_no_file() {
     let server = TcpListener::bind("127.0.0.1:0").unwrap();
     let source = format!("tcp://{}", server.local_addr().unwrap());
     for (bytes, says) in [
-        (&b"1,2,3\n"[..], "no headings; expected --columns"),
+        (
+            &b"1,2,3\n"[..],
+            "line 1 of the stream: '1,2,3'; expected --columns",
+        ),
         (b"", "ended without a measurement"),
     ] {
         let child = record(&source, &out, &[]);

@@ -182,7 +182,7 @@ pub(super) fn path(
 ) {
     let format = find(workbench.document().export.format);
     // It describes the robot and is no table.
-    let robot = what == What::Table && format.is_some_and(|format| format.rules.is_none());
+    let robot = what == What::Table && format.is_some_and(|format| format.rules().is_none());
     let title = if robot {
         say!("Save robot")
     } else {
