@@ -465,7 +465,7 @@ fn runs_in_sections_are_read_as_the_software_of_the_laser_writes_them() {
         &lift,
     );
     assert!(
-        says.contains("line 20: target number 7; expected 1 to 3"),
+        says.contains("line 20: target number 7; expected from 1 to 3"),
         "{says}"
     );
 }

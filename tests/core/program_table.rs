@@ -124,7 +124,7 @@ const TABLE: &[Row] = &[
     ("own structure", "krl", "STRUC MYAX REAL A1,A2,A3,A4,A5,A6\nDECL MYAX lim\nlim={@AXS}\nDECL MYAX top={@AXS}\nPTP {@AXS}\n", &["target of PTP"], &[], &[]),
     ("own structure", "rapid", "CONST robjoint r:=[106,65,-25,-63,-53,-18];\nCONST robjoint rj{2}:=[[106,65,-25,-63,-53,-18],[1,2,3,4,5,6]];\nCONST o_robtarget o:=@ROB;\nCONST o_jointtarget oj:=@JNT;\nVAR myrec m:=@JNT;\nm:=@JNT;\nMoveAbsJ @JNT,v9,fine,t;\n", &["target of MoveAbsJ"], &[], &[]),
     ("array of numbers", "rapid", "CONST num nLimits{2,6}:=[[-100,-60,-90,-100,-90,-180],[100,80,60,100,90,180]];\nnLimits:=[[1,2,3,4,5,6],[1,2,3,4,5,6]];\nMoveAbsJ @JNT,v9,fine,t;\n", &["target of MoveAbsJ"], &[], &[]),
-    ("array of numbers", "urscript", "def m():\n limits=[1,2,3,4,5,6]\n w=p[1,2,3,0,0,0]\n movej(@ULI)\nend\n", &["target of movej"], &[], &["w is a pose"]),
+    ("array of numbers", "urscript", "def m():\n limits=[1,2,3,4,5,6]\n w=p[1,2,3,0,0,0]\n movej(@ULI)\nend\n", &["target of movej"], &[], &["w: no motion of this file goes to it"]),
     ("array of targets", "rapid", "CONST jointtarget j{2}:=[@JNT,@JNT];\nMoveAbsJ j{1},v9,fine,t;\n", &["j{1}"], &[("j{2}", "unused", "no motion")], &[]),
     ("array of targets", "rapid", "CONST jointtarget j{2}:=[@JNT,@JNT];\nFOR i FROM 1 TO 2 DO\nMoveAbsJ j{i},v9,fine,t;\nENDFOR\n", &["j{1}", "j{2}"], &[], &[]),
     ("array of targets", "krl", "DECL E6AXIS P[2]\nP[1]={@AXS}\nP[2]={@AXS}\nPTP P[1]\n", &["P[1]"], &[("P[2]", "unused", "no motion")], &[]),
