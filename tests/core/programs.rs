@@ -539,7 +539,7 @@ const BROKEN: [(&str, &[u8], u64, u64, &str); 43] = [
     ("krl", b"PTP {A1 1,A2 2,A3 3,A4 4,A5 5,A6 6.0.0}", 1, 34, "number"),
     ("krl", b"PTP {A1 1,A2 2,A3 3,A4 4,A5 5,A9 6}", 1, 34, "A1"),
     ("krl", b"PTP {X 1,Y 2,Z 3,A 0,B 0,C 0,S 2,T 1.5}", 1, 36, "whole"),
-    ("krl", b"PTP {X 1,Y 2,Z 3,A 0,B 0,C 0,S 2,T 'B012'}", 1, 36, "binary"),
+    ("krl", b"PTP {X 1,Y 2,Z 3,A 0,B 0,C 0,S 2,T 'B012'}", 1, 36, "'B010'"),
     ("krl", b"CIRC {X 1,Y 2,Z 3,A 0,B 0,C 0} {X 1,Y 2,Z 3,A 0,B 0,C 0}", 1, 32, "a comma"),
     ("krl", b"DEF m()\nPTP\n", 2, 4, "target"),
     ("krl", b"DECL E6AXIS P={X 1,Y 2,Z 3,A 0,B 0,C 0}", 1, 30, "A1"),
