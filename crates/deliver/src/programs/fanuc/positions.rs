@@ -181,8 +181,9 @@ fn target(
                 Err(Problem::new(at, found, Text::verbatim(unit)))
             }
             _ => {
+                let expected = Text::verbatim(format!("{component} = … {unit}"));
                 let found = text!("{name} without {component}", name, component);
-                Err(Problem::new(group.at, found, components()))
+                Err(Problem::new(group.at, found, expected))
             }
         }
     };
@@ -200,7 +201,8 @@ fn target(
             let at = number.map_or(group.at, |number| number.range().start);
             let component = key.to_uppercase();
             let found = text!("{component} in {name}", component, name);
-            return Err(Problem::new(at, found, components()));
+            let expected = text!("J1 to J9, E1 to E3 or X, Y, Z, W, P, R");
+            return Err(Problem::new(at, found, expected));
         }
     }
     if !group.values.contains_key("x") {
@@ -226,11 +228,6 @@ fn target(
         })?;
     }
     Ok(target)
-}
-
-/// What a position has.
-fn components() -> Text {
-    text!("J1 to J9, E1 to E3 or X, Y, Z, W, P, R")
 }
 
 /// `'N U T, 0, 0, 0'`; `None`: it is none.
