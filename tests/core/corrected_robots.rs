@@ -38,7 +38,7 @@ fn made(
         options,
         ..Job::new(calibration, "out")
     };
-    find(to).unwrap().exporter.export(&job)
+    find(to).unwrap().export(&job)
 }
 
 fn text(export: &Export, ending: &str) -> String {

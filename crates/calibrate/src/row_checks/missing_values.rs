@@ -7,6 +7,7 @@ use super::rows::listed;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::kinematics::JointKind;
+use crate::numeric::shortened;
 use crate::sessions::Session;
 use crate::sessions::columns::Quantity;
 
@@ -82,10 +83,7 @@ fn repeated(
         is_code.then_some((code, [low, high]))
     })?;
     let rows: Vec<usize> = (0..column.len()).filter(|i| column[*i] == code).collect();
-    let number = |v: f64| {
-        let text = format!("{:.4}", shown(v));
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    };
+    let number = |v: f64| shortened(shown(v), 4);
     Some(DataProblem::of_rows(
         text!(
             "missing values: {column} is {code} in {count} samples",

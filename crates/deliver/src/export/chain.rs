@@ -132,9 +132,7 @@ impl Chain {
         if off <= SAME_MM.max(ROUNDING * far_mm) {
             return Ok(());
         }
-        Err(ExportError::ReadBack(format!(
-            "it leads {off} mm elsewhere"
-        )))
+        Err(format!("it leads {off} mm elsewhere").into())
     }
 }
 

@@ -85,8 +85,8 @@ pub struct Rules {
     pub widest_step: f64,
     /// The most entries that its reader takes.
     pub most_entries: usize,
-    /// Where that limit comes from.
-    pub limit_because: Template,
+    /// The controller's own name of that limit.
+    pub limited_by: Option<&'static str>,
     /// Whether it has a column for each direction.
     pub directions: Directions,
     /// Whether it can say that it repeats after a turn.

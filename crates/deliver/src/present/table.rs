@@ -165,33 +165,27 @@ impl Table {
     pub fn csv(&self) -> String {
         let comma = plain_number(0.5).contains(',');
         let between = if comma { ";" } else { "," };
-        let quoted = |text: &str| as_cell(&cell(text)).into_owned();
-        let line = |cells: Vec<String>| cells.join(between) + "\n";
-        let headings = self.columns.iter().map(|column| quoted(&column.heading));
-        let mut text = line(headings.collect());
-        for row in &self.rows {
-            let cells = row.iter().map(|one| match one.value {
-                Some(value) => plain_number(value),
-                None => quoted(&one.shown),
-            });
-            text += &line(cells.collect());
-        }
-        text
+        self.with_all_digits(between, |text| as_cell(&cell(text)).into_owned())
     }
 
     /// As text for a spreadsheet: tabs between the columns, numbers with all their digits and the decimal
     /// sign that the user chose, nothing where a number is not finite.
     pub fn tabbed(&self) -> String {
-        let headings = self.columns.iter().map(|column| column.heading.clone());
-        let mut lines = vec![headings.collect::<Vec<_>>().join("\t")];
+        self.with_all_digits("\t", cell)
+    }
+
+    fn with_all_digits(&self, between: &str, words: impl Fn(&str) -> String) -> String {
+        let line = |cells: Vec<String>| cells.join(between) + "\n";
+        let headings = self.columns.iter().map(|column| words(&column.heading));
+        let mut text = line(headings.collect());
         for row in &self.rows {
             let cells = row.iter().map(|one| match one.value {
                 Some(value) => plain_number(value),
-                None => cell(&one.shown),
+                None => words(&one.shown),
             });
-            lines.push(cells.collect::<Vec<_>>().join("\t"));
+            text += &line(cells.collect());
         }
-        lines.join("\n") + "\n"
+        text
     }
 }
 

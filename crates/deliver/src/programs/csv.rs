@@ -4,7 +4,6 @@
 //! Commas, semicolons or tabs between cells; with semicolons or tabs a decimal comma as well. Other
 //! columns are left as they are. Rows of nothing but empty cells are no targets.
 
-use crate::text::Template;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -39,8 +38,7 @@ fn first_line(text: &Text) -> Option<Range<usize>> {
 
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     let Some(first) = first_line(text) else {
-        let expected = text!("a header, with q1_deg … or x_mm, y_mm, z_mm …");
-        return Err(vec![Problem::new(0, text!("an empty table"), expected)]);
+        return Err(vec![Problem::new(0, text!("an empty file"), headings())]);
     };
     let separator = Separator::of_headings(&text.bytes[first]);
     let mut rows = Rows::new(text.bytes, text.start(), Dialect::of_lines(separator));
@@ -86,6 +84,14 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     }
 }
 
+/// What a table of targets begins with.
+fn headings() -> crate::text::Text {
+    text!(
+        "a header such as {header}",
+        header = "q1_deg,q2_deg,… / x_mm,y_mm,z_mm,qw,qx,qy,qz"
+    )
+}
+
 fn not_closed(quote: OpenQuote) -> Problem {
     let found = text!("a quote that is not closed");
     Problem::new(quote.at, found, text!("a closing quote"))
@@ -99,13 +105,8 @@ fn header_columns(text: &Text, header: &Row, axes: &Axes) -> Result<Columns, Pro
     for cell in &header.cells {
         let cell = content(text, *cell);
         let name = text.shown(cell.clone());
-        let column = column(&name, axes).map_err(|expected| {
-            Problem::new(
-                cell.start,
-                text!("the column {name}", name = &name),
-                expected,
-            )
-        })?;
+        let column = column(&name, axes)
+            .map_err(|(found, expected)| Problem::new(cell.start, found, expected))?;
         let same = |other: &Option<(Quantity, f64)>| {
             other.zip(column).is_some_and(|((a, _), (b, _))| a == b)
         };
@@ -129,13 +130,18 @@ fn content(text: &Text, cell: Cell) -> Range<usize> {
     }
 }
 
-/// What a heading means; an error says what was expected.
-fn column(name: &str, axes: &Axes) -> Result<Option<(Quantity, f64)>, crate::text::Text> {
+/// What a heading means; an error says what is there and what was expected.
+fn column(
+    name: &str,
+    axes: &Axes,
+) -> Result<Option<(Quantity, f64)>, (crate::text::Text, crate::text::Text)> {
+    use crate::text::Text;
+
     let (quantity, unit) = match Heading::read(name) {
         Heading::Known(quantity, unit) => (quantity, unit),
         // A slip in the name of a joint value would leave a target as it is.
         Heading::Unknown { hint: Some(hint) } if name.starts_with('q') => {
-            return Err(crate::text::Text::verbatim(hint));
+            return Err((Text::verbatim(name), Text::verbatim(hint)));
         }
         Heading::Unknown { .. } => return Ok(None),
     };
@@ -148,7 +154,13 @@ fn column(name: &str, axes: &Axes) -> Result<Option<(Quantity, f64)>, crate::tex
         _ => return Ok(None),
     };
     if joint >= axes.joints() {
-        return Err(text!("joints 1 to {joints}", joints = axes.joints()));
+        return Err((
+            text!("joint {joint} does not exist", joint = joint + 1),
+            text!(
+                "a joint of the robot, from 1 to {kinds}",
+                kinds = axes.joints()
+            ),
+        ));
     }
     let fits = match unit {
         Unit::Angle(_) => axes.kind(joint) == JointKind::Revolute,
@@ -158,12 +170,14 @@ fn column(name: &str, axes: &Axes) -> Result<Option<(Quantity, f64)>, crate::tex
     if fits {
         Ok(Some((quantity, unit.factor())))
     } else {
-        Err(text!(
-            "q{joint}_{unit}",
-            joint = joint + 1,
-            unit = axes.kind(joint).unit()
-        ))
+        Err((Text::verbatim(name), joint_column(joint, axes)))
     }
+}
+
+/// The heading of a joint's values.
+fn joint_column(joint: usize, axes: &Axes) -> crate::text::Text {
+    let unit = axes.kind(joint).unit();
+    crate::text::Text::verbatim(format!("q{}_{unit}", joint + 1))
 }
 
 struct Table<'x> {
@@ -178,6 +192,7 @@ struct Table<'x> {
 }
 
 const POSITION: [Quantity; 3] = [Quantity::X, Quantity::Y, Quantity::Z];
+const ORIENTATION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 
 impl Table<'_> {
     /// The column of a quantity and its unit.
@@ -192,18 +207,17 @@ impl Table<'_> {
 
     /// Checks that the columns make targets, and says what they are.
     fn layout(&self, at: usize) -> Result<Program, Problem> {
-        let wrong =
-            |found: crate::text::Text, expected: Template| Err(Problem::new(at, found, expected));
+        let lacks = |name: crate::text::Text, expected: crate::text::Text| {
+            Err(Problem::new(at, text!("no column {name}", name), expected))
+        };
         let mut program = Program::default();
         let places = POSITION.map(|quantity| self.of(quantity));
         if self.is_of_joints() {
             for joint in 0..self.axes.joints() {
                 if self.of(Quantity::Commanded(joint)).is_none() {
-                    let name = format!("q{}_{}", joint + 1, self.axes.kind(joint).unit());
-                    return wrong(
-                        text!("no column {name}", name),
-                        phrase!("one for each joint"),
-                    );
+                    let joints = self.axes.joints();
+                    let expected = text!("{joints}, one for each joint", joints);
+                    return lacks(joint_column(joint, self.axes), expected);
                 }
             }
             if places.iter().any(Option::is_some) {
@@ -216,26 +230,33 @@ impl Table<'_> {
         }
         for (place, name) in places.iter().zip(["x_mm", "y_mm", "z_mm"]) {
             if place.is_none() {
-                let expected = phrase!("q1_deg, … or x_mm, y_mm, z_mm with qw, qx, qy, qz");
-                return wrong(text!("no column {name}", name), expected);
+                return lacks(crate::text::Text::verbatim(name), headings());
             }
         }
-        let turns = (0..4).filter(|k| self.of(Quantity::Orientation(*k)).is_some());
-        match turns.count() {
-            4 => Ok(program),
-            0 if self.axes.joints() <= 3 => Ok(program),
-            0 => wrong(
-                text!("positions without qw, qx, qy, qz"),
-                phrase!("an orientation, for a robot with more than three joints"),
+        let is_missing = |k: &usize| self.of(Quantity::Orientation(*k)).is_none();
+        let missing: Vec<usize> = (0..4).filter(is_missing).collect();
+        match missing[..] {
+            [0, 1, 2, 3] if self.axes.joints() <= 3 => Ok(program),
+            [] => Ok(program),
+            [0, 1, 2, 3] => lacks(
+                crate::text::Text::verbatim(ORIENTATION[0]),
+                text!("an orientation, for a robot with more than three joints"),
             ),
-            _ => wrong(text!("an orientation in part"), phrase!("qw, qx, qy, qz")),
+            [first, ..] => lacks(
+                crate::text::Text::verbatim(ORIENTATION[first]),
+                crate::text::Text::verbatim(ORIENTATION.join(", ")),
+            ),
         }
     }
 
     fn target(&self, number: usize, row: &Row) -> Result<Target, Problem> {
         if row.cells.len() != self.columns.len() {
             let found = text!(one "{count} cell", "{count} cells", count = row.cells.len());
-            let expected = text!("{columns}, as in the heading", columns = self.columns.len());
+            let expected = text!(
+                one "{count} cell, one for each heading",
+                "{count} cells, one for each heading",
+                count = self.columns.len()
+            );
             return Err(Problem::new(row.start, found, expected));
         }
         let number_at = |k: usize| self.number(content(self.text, row.cells[k]));
@@ -281,11 +302,10 @@ impl Table<'_> {
                 Quantity::Direction(joint) => {
                     let value = number_at(k)?;
                     if ![-1.0, 0.0, 1.0].contains(&value.value) {
-                        let found =
-                            text!("dir{joint} {value}", joint = joint + 1, value = value.value);
+                        let found = format!("dir{} {}", joint + 1, value.value);
                         return Err(Problem::new(
                             value.range().start,
-                            found,
+                            crate::text::Text::verbatim(found),
                             text!("1, -1 or 0 (unknown)"),
                         ));
                     }
@@ -327,8 +347,8 @@ impl Table<'_> {
         };
         if frame.goal().is_none() {
             let at = frame.turn.first().map_or(row.start, |n| n.range().start);
-            let found = text!("zero length");
-            return Err(Problem::new(at, found, text!("an orientation")));
+            let expected = text!("a length of {length}", length = 1);
+            return Err(Problem::new(at, text!("zero length"), expected));
         }
         Ok(frame)
     }

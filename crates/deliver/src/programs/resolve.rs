@@ -80,7 +80,7 @@ impl<'a> Resolver<'a> {
             }
             Shape::Pose(frame) => {
                 let Some(goal) = frame.goal() else {
-                    return left(Reason::Unreachable, text!("its orientation is not valid"));
+                    return left(Reason::Unreachable, text!("zero length"));
                 };
                 let goal = target.placed.goal(&goal);
                 let q = self.solution(target, &goal)?;
@@ -133,8 +133,7 @@ impl<'a> Resolver<'a> {
         known.iter_mut().for_each(with_external);
         let all = self.inverse.all(goal, &fixed, &known);
         if all.is_empty() {
-            let says = text!("no joint values within the limits reach it");
-            return left(Reason::Unreachable, says);
+            return nothing_reaches();
         }
         let possible = self.as_stated(target, &all)?;
         // Solutions that differ by whole turns lead to the same ones.
@@ -154,10 +153,7 @@ impl<'a> Resolver<'a> {
         near: Option<&[f64]>,
     ) -> Result<Vec<f64>, SkippedTarget> {
         let Some(near) = near else {
-            let says = text!(
-                "several joint values reach it, and no earlier target determines which: --start says where the robot comes from"
-            );
-            return left(Reason::Ambiguous, says);
+            return left(Reason::Ambiguous, several_reach());
         };
         let Some(q) = self.inverse.from_start(goal, near) else {
             let says = text!("no solution near the previous target reaches it");
@@ -222,12 +218,9 @@ impl<'a> Resolver<'a> {
             possible = self.with_fewest_turns(possible);
         }
         let says = match (&possible[..], near) {
+            ([], _) => return nothing_reaches(),
             ([only], _) => return Ok(only.clone()),
-            (_, None) => {
-                text!(
-                    "several joint values reach it, and no earlier target determines which: --start says where the robot comes from"
-                )
-            }
+            (_, None) => several_reach(),
             ([first, second, ..], Some(near)) => {
                 let far = |q: &[f64]| self.inverse.distance(q, near);
                 if far(second) > AS_NEAR * far(first) {
@@ -235,14 +228,28 @@ impl<'a> Resolver<'a> {
                 }
                 text!("two sets of joint values reach it that are as near to the target before")
             }
-            ([], Some(_)) => text!("no joint values reach it"),
         };
-        if !possible.is_empty() && is_singular(self.robot, &possible[0], &self.free) {
-            let says = text!("it is singular: lines of joint values reach it");
-            return left(Reason::Singular, says);
+        if is_singular(self.robot, &possible[0], &self.free) {
+            return left(Reason::Singular, singular());
         }
         left(Reason::Ambiguous, says)
     }
+}
+
+fn nothing_reaches<T>() -> Result<T, SkippedTarget> {
+    let says = text!("no joint values within the limits reach it");
+    left(Reason::Unreachable, says)
+}
+
+fn several_reach() -> Text {
+    text!(
+        "several joint values reach it, and no earlier target determines which: --start says where the robot comes from"
+    )
+}
+
+/// What is said of a position where joints move far for a small correction.
+pub(super) fn singular() -> Text {
+    text!("its position is singular: a small correction would take a large move of the joints")
 }
 
 pub(super) fn left<T>(reason: Reason, says: Text) -> Result<T, SkippedTarget> {

@@ -82,8 +82,12 @@ impl Job<'_> {
                 if question.about == About::Columns {
                     diagnostic.expected = if are_commands {
                         text!(
-                            "a header such as {header}, or --commands-columns with what each column is",
-                            header
+                            "{first} or {second}",
+                            first = text!("a header such as {header}", header),
+                            second = text!(
+                                "{option} with what each column is, for instance {option} name,x_mm,y_mm,z_mm,-",
+                                option = "--commands-columns"
+                            )
                         )
                     } else {
                         text!("a header such as {header}", header)

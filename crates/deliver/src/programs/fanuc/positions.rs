@@ -8,6 +8,7 @@ use crate::kinematics::configuration::Statement;
 use super::super::axes::{Axes, Slot};
 use super::super::number::{Number, Span};
 use super::super::pose::{Frame, Orientation};
+use super::super::program::stands;
 use super::super::target::{Problem, Remark, Shape, Target};
 use super::super::walk::{Constant, Declared, Walk};
 use super::super::words::{Kind, Words};
@@ -35,8 +36,8 @@ pub(super) fn position(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
         return Err(words.problem(0, Text::verbatim("P[…]{ … };")));
     }
     words.expect(1, b'[')?;
-    let number: u64 = (words.spelled(2).parse())
-        .map_err(|_| words.problem(2, text!("the number of the position")))?;
+    let number: u64 =
+        (words.spelled(2).parse()).map_err(|_| words.problem(2, text!("a whole number")))?;
     let mut k = 3;
     let key = format!("p[{number}]");
     let mut name = format!("P[{number}]");
@@ -83,11 +84,7 @@ pub(super) fn position(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     }
     // `RX … RR`: where the tool is seen from the part that the robot holds.
     if group.values.contains_key("rx") {
-        let says = text!(
-            "the tool stands and the robot moves the part ({sign})",
-            sign = "RTCP"
-        );
-        walk.left(at, says);
+        walk.left(at, stands("RTCP"));
         return Ok(());
     }
     let mut target = target(walk.axes, words, &group, &name, at)?;
@@ -161,7 +158,7 @@ fn value(words: &Words, k: usize) -> Result<(Value, usize), Problem> {
     let unit = match words.name(end).as_str() {
         "deg" => "deg",
         "mm" => "mm",
-        _ => return Err(words.problem(end, text!("deg or mm"))),
+        _ => return Err(words.problem(end, text!("one of {names}", names = "deg, mm"))),
     };
     Ok(((number, unit), end + 1))
 }
@@ -178,13 +175,14 @@ fn target(
         match group.values.get(key) {
             Some((Some(number), found)) if *found == unit => Ok(*number),
             Some((Some(number), found)) => {
-                let found = text!("{component} in {found} in {name}", component, found, name);
+                let component = format!("{component} = {} {found}", number.value);
+                let found = text!("{component} in {name}", component, name);
                 let at = number.range().start;
                 Err(Problem::new(at, found, Text::verbatim(unit)))
             }
             _ => {
+                let expected = Text::verbatim(format!("{component} = … {unit}"));
                 let found = text!("{name} without {component}", name, component);
-                let expected = text!("J1 to J6 or X, Y, Z, W, P, R");
                 Err(Problem::new(group.at, found, expected))
             }
         }
