@@ -316,7 +316,7 @@ fn the_wheel_goes_closer_about_the_pointer_and_does_not_push_the_robot_away() {
 }
 
 #[test]
-fn an_arm_is_drawn_in_every_plane_and_the_polar_view_says_why_it_is_none() {
+fn an_arm_is_drawn_in_every_plane_and_has_no_polar_view() {
     let folder = tempfile::tempdir().expect("a folder");
     for (width, height) in [(1280.0, 800.0), (1024.0, 700.0)] {
         let mut window = sized(Some(arm(folder.path())), width, height);

@@ -33,3 +33,9 @@ pub(crate) fn size_mm(session: &Session) -> f64 {
     let links_mm = session.robot.length_along_links_mm();
     session.samples.spread_mm().max(links_mm)
 }
+
+/// The same by how far the robot reaches.
+pub(crate) fn reach_mm(session: &Session) -> f64 {
+    let reach_mm = session.robot.reach_mm();
+    session.samples.spread_mm().max(reach_mm)
+}
