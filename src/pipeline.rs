@@ -435,14 +435,14 @@ pub fn export(format: &str, job: &Job) -> Result<Export, ExportError> {
         return Err(ExportError::Refused(unknown));
     };
     let set_up = &job.calibration.set_up;
-    if format.rules().is_none() && set_up.moves_joints() {
+    if format.rules.is_none() && set_up.moves_joints() {
         return Err(ExportError::Refused(text!(
             "{format} holds joint values as the robot's description has them, and the controller of the model's session has them otherwise ({why}): correct the controller or the description, identify again and export that model",
             format = format.title,
             why = set_up.describe()
         )));
     }
-    format.export(job)
+    format.exporter.export(job)
 }
 
 /// An export beside what it does to the session that it is held against.

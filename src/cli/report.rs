@@ -64,8 +64,11 @@ impl Report {
         }
         inputs.extend(details.logo.as_ref().map(|logo| logo.path.clone()));
         let tables = self.tables.iter().map(|path| ExportedTable::read(path));
-        let tables = tables.collect::<Result<_, _>>()?;
-        let extras = Extras { details, tables };
+        let tables = tables.collect::<Result<_, _>>();
+        let extras = Extras {
+            details,
+            tables: tables.map_err(|error| Failure::refused(error.describe()))?,
+        };
         let report = if pipeline::is_model(&self.file) {
             pipeline::report_of_model(&pipeline::load_model(&self.file)?, &extras)
         } else {

@@ -38,7 +38,7 @@ fn made(
         options,
         ..Job::new(calibration, "out")
     };
-    find(to).unwrap().export(&job)
+    find(to).unwrap().exporter.export(&job)
 }
 
 fn text(export: &Export, ending: &str) -> String {

@@ -374,12 +374,7 @@ fn terminal_and_window_go_through_the_pipeline_and_nothing_else() {
                 found.push(format!("src/{path}: {module}::{step}"));
             }
         }
-        for step in [
-            "format.export(",
-            "Report::of_",
-            "report::html",
-            "report::pdf",
-        ] {
+        for step in [".exporter", "Report::of_", "report::html", "report::pdf"] {
             if text.contains(step) {
                 found.push(format!("src/{path}: {step}"));
             }

@@ -105,7 +105,7 @@ const TABLE: &[Row] = &[
     ("moving work frame", "rapid", "MoveL @ROB,v9,fine,t;\nPDispSet d;\nMoveL @ROB,v9,fine,t;\nPDispOff;\nMoveL @ROB,v9,fine,t;\n", &["target of MoveL", "target of MoveL"], &[("target of MoveL", "frame", "pdispset")], &["pdispset"]),
     // The tool stands, the robot moves the part.
     ("stationary tool", "krl", "$IPO_MODE=#TCP\nLIN {@XYZ,@ST}\nPTP {@AXS}\n$IPO_MODE=#BASE\nLIN {@XYZ,@ST}\n", &["target of LIN"], &[("target of LIN", "frame", "#TCP"), ("target of PTP", "frame", "#TCP")], &[]),
-    ("stationary tool", "rapid", "PERS tooldata s:=[FALSE,[[1,2,3],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\nMoveL @ROB,v9,fine,s;\nMoveAbsJ @JNT,v9,fine,s;\n", &[], &[("target of MoveAbsJ", "frame", "the tool stands"), ("target of MoveL", "frame", "the tool stands")], &[]),
+    ("stationary tool", "rapid", "PERS tooldata s:=[FALSE,[[1,2,3],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\nMoveL @ROB,v9,fine,s;\nMoveAbsJ @JNT,v9,fine,s;\n", &[], &[("target of MoveAbsJ", "frame", "does not sit on the robot"), ("target of MoveL", "frame", "does not sit on the robot")], &[]),
     ("stationary tool", "krl", "DEFDAT m\nDECL FDAT FP={TOOL_NO 0,BASE_NO 0,IPO_FRAME #TCP,POINT2[] \" \"}\nDECL E6POS XP={@XYZ,@ST}\nENDDAT\n", &[], &[("XP", "frame", "#TCP")], &[]),
     // Frames by their number.
     ("numbered frame", "krl", "DEF m()\nFDAT_ACT=FP1\nBAS(#PTP_PARAMS,100)\nPTP XP1\nEND\nDEFDAT m\nDECL E6POS XP1={@XYZ,@ST}\nDECL FDAT FP1={TOOL_NO 0,BASE_NO 3,IPO_FRAME #BASE}\nENDDAT\n", &[], &[("XP1", "frame", "BASE_DATA[3]")], &[]),
@@ -118,13 +118,13 @@ const TABLE: &[Row] = &[
     ("relative motion", "krl", "DEF m()\nDECL E6AXIS delta\ndelta={@AXS}\nPTP_REL delta\nLIN_REL {X 10}\nEND\n", &[], &[("delta", "relative", "PTP_REL")], &["PTP_REL is a relative", "LIN_REL is a relative"]),
     ("relative motion", "krl", "delta={A1 0,A2 0,A3 0,A4 0,A5 0,A6 10}\nptp_rel delta\nptp {@AXS}\n", &["target of ptp"], &[("delta", "relative", "ptp_rel")], &["relative"]),
     ("relative motion", "fanuc-ls", "/MN\n 1:L P[1] 9mm/sec FINE INC ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "relative", "INC")], &[]),
-    ("relative motion", "urscript", "def m():\n d=p[0,0,0.1,0,0,0]\n movel(pose_add(get_actual_tcp_pose(),d))\nend\n", &[], &[], &["pose_add", "no motion of this file goes to it"]),
-    ("relative motion", "rapid", "MoveL Offs(CRobT(),0,0,9),v9,fine,t;\nMoveExtJ @JNT,v9,fine;\nMoveL *,v9,fine,t;\n", &[], &[], &["Offs", "external axes only", "MoveL *"]),
+    ("relative motion", "urscript", "def m():\n d=p[0,0,0.1,0,0,0]\n movel(pose_add(get_actual_tcp_pose(),d))\nend\n", &[], &[], &["pose_add", "no move of this file uses"]),
+    ("relative motion", "rapid", "MoveL Offs(CRobT(),0,0,9),v9,fine,t;\nMoveExtJ @JNT,v9,fine;\nMoveL *,v9,fine,t;\n", &[], &[], &["Offs", "external axes only", "goes to *"]),
     // Types of one's own, and arrays of numbers.
     ("own structure", "krl", "STRUC MYAX REAL A1,A2,A3,A4,A5,A6\nDECL MYAX lim\nlim={@AXS}\nDECL MYAX top={@AXS}\nPTP {@AXS}\n", &["target of PTP"], &[], &[]),
     ("own structure", "rapid", "CONST robjoint r:=[106,65,-25,-63,-53,-18];\nCONST robjoint rj{2}:=[[106,65,-25,-63,-53,-18],[1,2,3,4,5,6]];\nCONST o_robtarget o:=@ROB;\nCONST o_jointtarget oj:=@JNT;\nVAR myrec m:=@JNT;\nm:=@JNT;\nMoveAbsJ @JNT,v9,fine,t;\n", &["target of MoveAbsJ"], &[], &[]),
     ("array of numbers", "rapid", "CONST num nLimits{2,6}:=[[-100,-60,-90,-100,-90,-180],[100,80,60,100,90,180]];\nnLimits:=[[1,2,3,4,5,6],[1,2,3,4,5,6]];\nMoveAbsJ @JNT,v9,fine,t;\n", &["target of MoveAbsJ"], &[], &[]),
-    ("array of numbers", "urscript", "def m():\n limits=[1,2,3,4,5,6]\n w=p[1,2,3,0,0,0]\n movej(@ULI)\nend\n", &["target of movej"], &[], &["w: no motion of this file goes to it"]),
+    ("array of numbers", "urscript", "def m():\n limits=[1,2,3,4,5,6]\n w=p[1,2,3,0,0,0]\n movej(@ULI)\nend\n", &["target of movej"], &[], &["w is a pose"]),
     ("array of targets", "rapid", "CONST jointtarget j{2}:=[@JNT,@JNT];\nMoveAbsJ j{1},v9,fine,t;\n", &["j{1}"], &[("j{2}", "unused", "no motion")], &[]),
     ("array of targets", "rapid", "CONST jointtarget j{2}:=[@JNT,@JNT];\nFOR i FROM 1 TO 2 DO\nMoveAbsJ j{i},v9,fine,t;\nENDFOR\n", &["j{1}", "j{2}"], &[], &[]),
     ("array of targets", "krl", "DECL E6AXIS P[2]\nP[1]={@AXS}\nP[2]={@AXS}\nPTP P[1]\n", &["P[1]"], &[("P[2]", "unused", "no motion")], &[]),
@@ -152,7 +152,7 @@ const TABLE: &[Row] = &[
     ("expression", "urscript", "def m():\n movej([d2r(9),1,1,1,1,1])\nend\n", &[], &[], &["computed at run time"]),
     ("offset", "rapid", "CONST robtarget p:=@ROB;\nMoveL Offs(p,0,0,9),v9,fine,t;\nMoveL RelTool(p,0,0,9),v9,fine,t;\n", &[], &[("p", "unused", "Offs uses it")], &["Offs(p,0,0,9)", "RelTool"]),
     ("offset", "krl", "DECL FRAME off\noff={X 0,Y 0,Z 9,A 0,B 0,C 0}\nDECL E6POS XP={@XYZ,@ST}\nLIN off:XP\n", &[], &[("XP", "unused", "")], &["off:XP is computed"]),
-    ("offset", "urscript", "def m():\n w=@UPO\n movel(pose_trans(w,p[0,0,0.1,0,0,0]))\nend\n", &[], &[], &["pose_trans", "no motion of this file goes to it"]),
+    ("offset", "urscript", "def m():\n w=@UPO\n movel(pose_trans(w,p[0,0,0.1,0,0,0]))\nend\n", &[], &[], &["pose_trans", "no move of this file uses"]),
     ("offset", "fanuc-ls", "/MN\n 1:L P[1] 9mm/sec FINE Tool_Offset,PR[15] ;\n 2:L P[2] 9mm/sec FINE\n  :  Offset,PR[1] ;\n 3:L PR[1] 9mm/sec FINE ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\n", &[], &[("P[1]", "unused", "TOOL_OFFSET"), ("P[2]", "unused", "OFFSET")], &["TOOL_OFFSET", "(OFFSET)", "PR[…]"]),
     ("computed target", "rapid", "VAR robtarget p:=@ROB;\np:=CRobT();\nMoveL p,v9,fine,t;\n", &[], &[("p", "changed", "run time")], &[]),
     ("computed target", "rapid", "VAR robtarget p:=@ROB;\np.trans.z:=p.trans.z+9;\nMoveL p,v9,fine,t;\n", &[], &[("p", "changed", "run time")], &[]),
@@ -191,7 +191,7 @@ const TABLE: &[Row] = &[
     ("german listing", "fanuc-ls", "/PROG A\n/ATTR\nEIGN.\t= X;\nDEFAULT_GRUP\t= 1,*,*,*,*;\n/MN\n 1:  WKZ_NUM=1 ;\n 2:J P[1] 9% CNT100 ACC100 ZEIT VOR   .10sek,P-SPS    ;\n 3:L P[2] max_Geschw. CNT0 WKZ_Offset ,PR[1]    ;\n 4:L P[3] 9mm/sek CNT0 INK    ;\n 5:  WKZ_NUM=2 ;\n 6:L P[4] 9mm/sek CNT0 Interrupt,LABEL[1]    ;\n 7:  AUFRUF PICK(1) ;\n/POS\nP[1]{ GP1: UF : 0, UT : 1, @FXY };\nP[2]{ GP1: UF : 0, UT : 1, @FXY };\nP[3]{ GP1: UF : 0, UT : 1, @FXY };\nP[4]{ GP1: UF : 0, UT : 1, @FXY };\n", &["P[1]"], &[("P[2]", "unused", "TOOL_OFFSET"), ("P[3]", "unused", "INK"), ("P[4]", "frame", "UTOOL_NUM is 2")], &["TOOL_OFFSET", "INK", "AUFRUF PICK"]),
     ("computed target", "urscript", "def m():\n q=@ULI\n q[5]=q[5]+0.1\n movej(q)\nend\n", &[], &[("q", "changed", "run time")], &[]),
     ("other moves", "urscript", "def m():\n optimovej(@ULI)\n movel(a=1.2, pose=@UPO)\nend\n", &["target of optimovej", "target of movel"], &[], &[]),
-    ("numbered frame", "krl", "FDAT_ACT.IPO_FRAME=#TCP\nLIN {@XYZ,@ST}\n", &[], &[("target of LIN", "frame", "FDAT_ACT.IPO_FRAME sets it")], &[]),
+    ("numbered frame", "krl", "FDAT_ACT.IPO_FRAME=#TCP\nLIN {@XYZ,@ST}\n", &[], &[("target of LIN", "frame", "FDAT_ACT.IPO_FRAME is set")], &[]),
     // A data list is that of its program.
     ("two data lists", "krl", "DEF a()\nPTP XP1\nEND\nDEF b()\nPTP_REL XP1\nEND\nDEFDAT a\nDECL E6POS XP1={@XYZ,@ST}\nENDDAT\nDEFDAT b\nDECL E6POS XP1={@XYZ,@ST}\nENDDAT\n", &["XP1"], &[("XP1", "relative", "PTP_REL")], &["relative"]),
     ("two data lists", "krl", "DEF a()\nFDAT_ACT=FP1\nPTP XP1\nEND\nDEF b()\nFDAT_ACT=FP1\nPTP XP1\nEND\nDEFDAT a\nDECL E6POS XP1={@XYZ,@ST}\nDECL FDAT FP1={TOOL_NO 0,BASE_NO 0}\nENDDAT\nDEFDAT b\nDECL E6POS XP1={@XYZ,@ST}\nDECL FDAT FP1={TOOL_NO 0,BASE_NO 3}\nENDDAT\n", &["XP1"], &[("XP1", "frame", "BASE_DATA[3]")], &[]),

@@ -532,7 +532,7 @@ fn distances_that_lack_something_are_refused_or_asked_about() {
         (
             format!("{q},distance\n0,0,0,5\n"),
             &[],
-            "the unit of distance is not stated",
+            "the unit of the distances is not stated",
         ),
         (
             format!("{q},Deviation [um]\n0,0,0,5\n"),

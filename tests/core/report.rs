@@ -312,7 +312,7 @@ fn every_kind_of_session_has_a_report() {
     }
     let one = html(&report(&small(1, false)));
     assert!(
-        one.contains("too few samples") && one.contains("noise: not given"),
+        one.contains("too few samples") && one.contains("noise not stated"),
         "{one}"
     );
     assert!(!one.contains("NaN") && !one.contains("inf mm"));

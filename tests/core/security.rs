@@ -138,7 +138,10 @@ fn what_a_fit_has_parameters_for_is_counted() {
         let ran = truepose(folder.path(), &["identify", "s.json"]);
         refused(
             &ran,
-            &format!("{field}: {}; expected at most {most}", most + 1),
+            &format!(
+                "{field}: {}; expected at most {most} in one session",
+                most + 1
+            ),
         );
     }
 }

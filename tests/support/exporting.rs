@@ -144,7 +144,7 @@ pub fn try_export(
         step,
         ..Job::new(&verified, &name)
     };
-    format.export(&job)
+    format.exporter.export(&job)
 }
 
 pub fn export(calibration: &Calibration, format: &str, step: Option<f64>) -> Export {

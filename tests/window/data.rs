@@ -82,10 +82,10 @@ fn lost_points_are_removed_by_a_button() {
     assert!(says(&window, "361 samples · RMS error"));
     keys(&mut window, Modifiers::COMMAND, Key::Num4);
     keys(&mut window, Modifiers::COMMAND, Key::G);
-    press(&mut window, "Remove 1 sample");
+    press(&mut window, "Remove this sample");
     assert!(says(&window, "360 samples · RMS error"));
     assert!(
-        !there(&window, "Remove 1 sample"),
+        !there(&window, "Remove this sample"),
         "it has to be searched again"
     );
     keys(&mut window, Modifiers::COMMAND, Key::Z);

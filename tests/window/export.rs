@@ -32,7 +32,7 @@ fn one_of_each_format_is_chosen_seen_and_saved() {
     for format in EXPORTERS.iter().filter(|format| (format.suits)(&robot)) {
         press(&mut window, format.title.english());
         window.get_by_label_contains(&format!("as .{}…", format.extension));
-        if format.rules().is_some() {
+        if format.rules.is_some() {
             window.get_by_label("correction table as a curve");
             window.get_by_label("Copy text");
             window.get_by_label("RMS error left by the table");

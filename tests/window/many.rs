@@ -101,7 +101,7 @@ fn a_preparation_that_is_cancelled_is_begun_again_when_that_is_asked_for() {
     press(&mut window, "Prepare the table");
     until(&mut window, "RMS error left by the table");
     // The figures of one format do not stand under the name of another.
-    let other = EXPORTERS.iter().filter(|one| one.rules().is_some()).nth(1);
+    let other = EXPORTERS.iter().filter(|one| one.rules.is_some()).nth(1);
     let other = other.expect("it is a format").title.english();
     window.get_by_label(other).click();
     window.run_steps(3);

@@ -54,17 +54,6 @@ pub fn whole(value: f64) -> usize {
     value.clamp(0.0, 1e6) as usize
 }
 
-/// At most so many decimals, without zeros at the end and without −0.
-pub fn shortened(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let text = if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        &text
-    };
-    if text == "-0" { "0" } else { text }.to_owned()
-}
-
 /// A number as it is drawn; one that does not fit is infinite, and is not.
 #[allow(clippy::cast_possible_truncation, reason = "drawn in single precision")]
 pub fn single(value: f64) -> f32 {

@@ -29,7 +29,7 @@ use crate::progress::{Progress, ReadError, unwatched};
 use crate::sessions::files::open;
 use crate::sessions::load;
 use crate::sessions::{Session, hash_of_samples};
-use crate::text::{Template, Text};
+use crate::text::Text;
 
 /// Everything that a folder tells.
 #[derive(Debug, Clone, PartialEq)]
@@ -166,9 +166,6 @@ struct Read {
 /// A time from here on is one that counts from 1970: 9 September 2001.
 const EPOCH_S: f64 = 1e9;
 
-const FOLDER: Template =
-    phrase!("a folder with truepose-session/1 or truepose-model/1 documents (*.json)");
-
 #[derive(Deserialize)]
 struct Tag {
     format: String,
@@ -219,13 +216,14 @@ pub fn history_watched(
         let found = match &not_read[..] {
             [] => text!("no session and no model"),
             [first, ..] => text!(
-                "{found}: {name}",
-                found = text!("no session and no model"),
-                name = &first.because
+                "no session and no model that can be read: {because}",
+                because = &first.because
             ),
         };
+        let expected =
+            text!("a folder with truepose-session/1 or truepose-model/1 documents (*.json)");
         let place = Place::file(folder);
-        return Err(Rejected::because(Diagnostic::error(place, found, FOLDER)).into());
+        return Err(Rejected::because(Diagnostic::error(place, found, expected)).into());
     }
     let mut robots: BTreeMap<String, Vec<Read>> = BTreeMap::new();
     for entry in read {
@@ -259,10 +257,15 @@ fn source_of(bytes: &[u8]) -> Option<Source> {
 fn documents(folder: &Path) -> Result<Vec<PathBuf>, Rejected> {
     let wrong = |error: io::Error| {
         let found = match error.kind() {
+            io::ErrorKind::NotFound => text!("no such folder"),
             io::ErrorKind::NotADirectory => text!("a file"),
             _ => unreadable(&error),
         };
-        Rejected::because(Diagnostic::error(Place::file(folder), found, FOLDER))
+        Rejected::because(Diagnostic::error(
+            Place::file(folder),
+            found,
+            text!("a folder"),
+        ))
     };
     let mut paths = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(wrong)? {

@@ -127,20 +127,15 @@ pub fn record(
             continue;
         }
         if line.len() > LONGEST_LINE {
-            let longest_line = LONGEST_LINE;
-            let found = text!("a line of more than {longest_line} bytes", longest_line);
-            let expected = text!("at most {most}", most = longest_line);
-            recorder.lines += 1;
-            return Err(recorder.refused(found, expected));
+            return Err(RecordError::Refused(text!(
+                "line {line} of the stream: longer than a megabyte; expected lines of text",
+                line = recorder.lines + 1
+            )));
         }
         if !line.trim_ascii().is_empty() {
             recorder.lines += 1;
             let cut = quoted(&String::from_utf8_lossy(&line));
-            let says = recorder.left_out(text!(
-                "{found}: {name}",
-                found = cut,
-                name = text!("the end of the file")
-            ));
+            let says = recorder.left_out(text!("{found}: no line end", found = cut));
             says.into_iter().for_each(hear);
         }
         return came.map(|_| ()).map_err(RecordError::Broken);
@@ -177,9 +172,13 @@ impl Recorder {
         };
         let cells = separator.cells(line);
         if cells.len() != self.headings.len() {
-            let (found, expected) = self.other_count(cells.len());
-            let says = text!("{found}; expected {expected}", found, expected);
-            let says = text!("{found}: {name}", found = says, name = quoted(line));
+            let found = text!(
+                one "{count} cell below {headings} headings",
+                "{count} cells below {headings} headings",
+                count = cells.len(),
+                headings = self.headings.len()
+            );
+            let says = text!("{found}: {name}", found, name = quoted(line));
             return Ok(self.left_out(says));
         }
         // Headings that come again.
@@ -197,17 +196,19 @@ impl Recorder {
         let is_heading = !cells.iter().any(|cell| cell.parse::<f64>().is_ok());
         let own = !self.headings.is_empty();
         if !own && !is_heading {
-            return Err(self.refused(
-                Text::verbatim(quoted(line)),
-                text!(
-                    "{option} with what each column is, for instance {option} name,x_mm,y_mm,z_mm,-",
-                    option = "--columns"
-                ),
-            ));
+            return Err(RecordError::Refused(text!(
+                "line 1 of the stream: {found}: no headings; expected --columns with what each cell is, such as --columns time_s,x_mm,y_mm,z_mm",
+                found = quoted(line)
+            )));
         }
         if own && cells.len() != self.headings.len() {
-            let (found, expected) = self.other_count(cells.len());
-            return Err(self.refused(found, expected));
+            return Err(RecordError::Refused(text!(
+                one "line {line} of the stream: {count} cell; expected {headings}, as many as --columns has",
+                "line {line} of the stream: {count} cells; expected {headings}, as many as --columns has",
+                line = self.lines,
+                count = cells.len(),
+                headings = self.headings.len()
+            )));
         }
         if !own {
             self.headings.clone_from(&cells);
@@ -221,26 +222,6 @@ impl Recorder {
             return Ok(self.left_out(text!("the stream's own headings")));
         }
         Ok(None)
-    }
-
-    /// So many cells, and as many as there are headings.
-    fn other_count(&self, cells: usize) -> (Text, Text) {
-        let expected = text!(
-            one "{count} cell, one for each heading",
-            "{count} cells, one for each heading",
-            count = self.headings.len()
-        );
-        let found = text!(one "{count} cell", "{count} cells", count = cells);
-        (found, expected)
-    }
-
-    /// What keeps the stream from being recorded.
-    fn refused(&self, found: Text, expected: Text) -> RecordError {
-        RecordError::Refused(text!(
-            "line {line} of the stream: {says}",
-            line = self.lines,
-            says = text!("{found}; expected {expected}", found, expected)
-        ))
     }
 
     /// Puts a row down.
@@ -339,13 +320,13 @@ mod tests {
         let endless = vec![b'1'; LONGEST_LINE + 1];
         let endless: Vec<&[u8]> = endless.chunks(4096).collect();
         for (stream, headings, says) in [
-            (&[b"1,2,3\n" as &[u8]][..], &[][..], "expected --columns"),
+            (&[b"1,2,3\n" as &[u8]][..], &[][..], "no headings"),
             (
                 &[b"1,2,3\n"],
                 &["x_mm", "y_mm"],
-                "line 1 of the stream: 3 cells; expected 2 cells",
+                "line 1 of the stream: 3 cells; expected 2",
             ),
-            (&endless, &[], "line 1 of the stream: a line of more than"),
+            (&endless, &[], "line 1 of the stream: longer"),
         ] {
             let (text, _, wrong) = recorded(stream, headings);
             assert!(text.is_empty());

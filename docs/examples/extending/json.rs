@@ -18,7 +18,7 @@ pub(super) const RULES: Rules = Rules {
     spacing: Spacing::Equal,
     widest_step: 1.0,
     most_entries: usize::MAX,
-    limited_by: None,
+    limit_because: phrase!("it has no limit"),
     directions: Directions::Both,
     repeats: false,
     interpolation: "linear between two places",
@@ -29,7 +29,7 @@ pub(super) const RULES: Rules = Rules {
     label: None,
 };
 
-pub(super) const FORMAT: Format = Format::table(
+pub(super) const FORMAT: Format = TableFile::format(
     phrase!("JSON table"),
     "json",
     &TableFile {

@@ -73,7 +73,7 @@ impl ExportChoice {
     pub(crate) fn file_name(&self, session: &str) -> String {
         let (session, format) = (plain(session), find(self.format));
         let extension = format.map_or("txt", |format| format.extension);
-        if format.is_some_and(|format| format.rules().is_none()) {
+        if format.is_some_and(|format| format.rules.is_none()) {
             // It is about the whole robot.
             return format!("{session}.{extension}");
         }

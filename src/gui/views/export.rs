@@ -98,7 +98,7 @@ fn export(ui: &mut Ui, workbench: &Workbench) {
         }
     });
     // A description of the robot is about all joints and has no steps.
-    if find(choice.format).is_some_and(|format| format.rules().is_some()) {
+    if find(choice.format).is_some_and(|format| format.rules.is_some()) {
         ui.section(&capital(say!("table")));
         joint_and_step(ui, workbench, choice);
     } else {
@@ -143,7 +143,7 @@ fn of_the_robot(ui: &mut Ui, workbench: &Workbench, choice: &ExportChoice) {
     let Some(format) = find(choice.format) else {
         return;
     };
-    let asked = (format.asks)(&workbench.loaded_session().session.robot);
+    let asked = format.asks(&workbench.loaded_session().session.robot);
     let mut next = choice.clone();
     if let Some(usual) = asked.zeros {
         let offered = [

@@ -8,7 +8,6 @@ use crate::effects::JointValues;
 use crate::fit::problem::COARSE;
 use crate::fit::problem::digits_mm;
 use crate::fit::usual_noise::USUAL_NOISE_MM;
-use crate::numeric::shortened;
 use crate::sessions::{Session, SessionCorrection, Sigma};
 use crate::text::Text;
 
@@ -27,7 +26,7 @@ pub(crate) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
         return Vec::new();
     }
     // Axes of one digit together.
-    let digit = |axis: &usize| shortened(added_mm[*axis] * 12.0_f64.sqrt(), 6);
+    let digit = |axis: &usize| trimmed(added_mm[*axis] * 12.0_f64.sqrt());
     let of = coarse.chunk_by(|a, b| digit(a) == digit(b)).map(|alike| {
         let axes: Vec<&str> = alike.iter().map(|axis| ["x", "y", "z"][*axis]).collect();
         text!(
@@ -61,6 +60,12 @@ pub(crate) fn coarse(session: &Session, _: JointValues) -> Vec<DataProblem> {
         text!("the digit counts as noise, and nothing below it can be told; record more digits"),
         stated.map(|_| SessionCorrection::WidenNoise(added_mm)),
     )]
+}
+
+/// A length without the zeros behind.
+fn trimmed(mm: f64) -> String {
+    let text = format!("{mm:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 #[cfg(test)]

@@ -7,7 +7,6 @@ use super::rows::listed;
 use crate::answers::diagnosis::DataProblem;
 use crate::effects::JointValues;
 use crate::kinematics::JointKind;
-use crate::numeric::shortened;
 use crate::sessions::Session;
 use crate::sessions::columns::Quantity;
 
@@ -83,7 +82,10 @@ fn repeated(
         is_code.then_some((code, [low, high]))
     })?;
     let rows: Vec<usize> = (0..column.len()).filter(|i| column[*i] == code).collect();
-    let number = |v: f64| shortened(shown(v), 4);
+    let number = |v: f64| {
+        let text = format!("{:.4}", shown(v));
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    };
     Some(DataProblem::of_rows(
         text!(
             "missing values: {column} is {code} in {count} samples",

@@ -95,23 +95,22 @@ fn chance(own: FamilyP) -> String {
 fn odds(found: &FoundEffect) -> String {
     match found.next.as_ref().map(|next| title_of(next)) {
         None => say!("no other effect was a candidate").to_owned(),
+        Some(next) if found.odds_over_next > MOST_ODDS => say!(
+            "more than 1000 times likelier than the next candidate ({next})",
+            next = within(&next)
+        ),
         Some(next) => say!(
             "{odds} times likelier than the next candidate ({next})",
-            odds = if found.odds_over_next > MOST_ODDS {
-                format!("> {MOST_ODDS}")
-            } else {
-                significant(found.odds_over_next, 2)
-            },
+            odds = significant(found.odds_over_next, 2),
             next = within(&next)
         ),
     }
 }
 
 fn evidence(detail: Detail, found: &FoundEffect) -> String {
-    let unseen = found.held_out_mm.map(|gap| {
-        let name = say!("RMS error, cross-validated");
-        format!("{name}: {}", detail.lengths(gap))
-    });
+    let unseen = found
+        .held_out_mm
+        .map(|gap| say!("cross-validated RMS error {gap}", gap = detail.lengths(gap)));
     let all = [Some(chance(found.p_familywise)), Some(odds(found)), unseen];
     let all: Vec<String> = all.into_iter().flatten().collect();
     all.join("; ")

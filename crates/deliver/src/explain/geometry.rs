@@ -4,7 +4,7 @@
 use super::{Block, Detail, Fact};
 use crate::effects::{Role, role};
 use crate::fit::Estimate;
-use crate::present::names::{parameter, title};
+use crate::present::names::{parameter, word};
 use crate::present::numbers::{decimals_of, rounded, with_minus_signs};
 use crate::present::table::{Column, Table};
 use crate::text::within;
@@ -115,7 +115,7 @@ fn place(estimate: &Estimate) -> Option<String> {
             (Role::ToolTurn, ..) => within(say!("Tool orientation")).into_owned(),
             (Role::Place, ..) => format!(
                 "{} {}",
-                within(title(estimate.effect)),
+                word(estimate.effect.trim_start_matches("unknown-")),
                 estimate.place.as_deref().unwrap_or_default()
             ),
             _ => return None,

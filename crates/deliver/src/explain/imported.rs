@@ -54,7 +54,7 @@ fn matched_by(matched: &Matched) -> Vec<Fact> {
             Some([from, to]) => format!("{:.4} ± {:.4} s", clock.offset_s, 0.5 * (to - from)),
             None => format!("{:.4} s", clock.offset_s),
         };
-        facts.push(fact(say!("Clocks apart by"), offset));
+        facts.push(fact(say!("clock offset"), offset));
     }
     facts
 }

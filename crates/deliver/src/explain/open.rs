@@ -141,10 +141,9 @@ fn repeating(unnamed: &Unnamed, curve: &Correction, detail: Detail) -> Section {
     if let Some(values_mm) = curve.values_held_out_mm {
         facts.push(fact(
             say!("Between its values"),
-            format!(
-                "{}: {}",
-                detail.length(values_mm),
-                say!("neighbours do not predict a position, measure in smaller steps")
+            say!(
+                "{size}: neighbours do not predict a position, measure in smaller steps",
+                size = detail.length(values_mm)
             ),
         ));
     }

@@ -4,7 +4,7 @@ use super::{Block, Detail, Fact, Section, Topic, cleaned, fact};
 use crate::design::{Forecast, Geometry, Plan, Separation, Subject, Untestable};
 use crate::language::spoken;
 use crate::present::limits::{applies, joints_in_words, limits_of};
-use crate::present::names::{title_of, title_on};
+use crate::present::names::{title, title_of, title_on};
 use crate::present::poses::{new_reflectors, table_by_joint};
 use crate::present::table::{Column, Table};
 use crate::standards::grouping::gathered;
@@ -42,12 +42,20 @@ pub fn plan(plan: &Plan, detail: Detail) -> Vec<Section> {
 }
 
 fn poses(plan: &Plan, detail: Detail) -> Section {
-    let title = say!(
-        one "{name}: {count} pose to measure",
-        "{name}: {count} poses to measure",
-        name = plan.name,
-        count = plan.poses.len()
-    );
+    let title = match plan.subject {
+        Subject::Session => say!(
+            one "{session}: to measure next, {count} pose",
+            "{session}: to measure next, {count} poses",
+            session = plan.name,
+            count = plan.poses.len()
+        ),
+        Subject::Robot => say!(
+            one "{robot}: a first measurement, {count} pose",
+            "{robot}: a first measurement, {count} poses",
+            robot = plan.name,
+            count = plan.poses.len()
+        ),
+    };
     let mut blocks = Vec::new();
     if !plan.open.is_empty() {
         blocks.push(Block::Facts(open(plan)));
@@ -205,7 +213,9 @@ fn limits(plan: &Plan, detail: Detail) -> Option<Section> {
         return None;
     }
     let joints = plan.robot.joints.len();
-    let mut blocks = vec![Block::Facts(limits_of(&plan.robot, seen))];
+    let lines = limits_of(&plan.robot, seen, |effect| title(effect).to_owned());
+    let facts = lines.into_iter().map(|line| (line.names, line.text));
+    let mut blocks = vec![Block::Facts(facts.collect())];
     let alike = plan.expected.alike.iter().map(|pair| {
         let name = |(effect, joint): (&str, Option<usize>)| {
             title_on(effect, joint.map(|joint| joint + 1), joints)

@@ -123,7 +123,22 @@ fn in_part(answer: &Answer, summary: &Summary, most: usize) -> Option<Section> {
         let [before, after] = written
             .rotation_rad
             .map(|rad| language::spoken(small_angle(rad, 3)));
-        let says = format!("{}: {before} → {after}", called(&target.name));
+        let target_name = called(&target.name);
+        let says = if is_worse(written) {
+            say!(
+                "{target}: {before} became {after}",
+                target = target_name,
+                before,
+                after
+            )
+        } else {
+            say!(
+                "{target}: {after} left of {before}",
+                target = target_name,
+                after,
+                before
+            )
+        };
         Some(at(target.place, &says))
     };
     let targets = answer.targets.iter().filter_map(said);

@@ -66,15 +66,13 @@ fn corrected(v: &Verification, detail: Detail) -> Vec<Fact> {
         facts.push(fact(say!("within tolerance"), sentence));
     }
     if let Some(compensated) = &v.compensated {
-        let (rms_mm, largest_mm) = (compensated.gap.rms_mm, compensated.gap.max_mm);
-        let left = length(compensated.cannot_be_removed_by_joints_mm, detail);
-        facts.extend([
-            fact(
-                say!("with corrected commands"),
-                with_largest(rms_mm, largest_mm, detail),
-            ),
-            fact(say!("not correctable by joint commands"), left),
-        ]);
+        let sentence = say!(
+            "{rms} (largest {largest}); not correctable by joint commands {left}",
+            rms = length(compensated.gap.rms_mm, detail),
+            largest = length(compensated.gap.max_mm, detail),
+            left = length(compensated.cannot_be_removed_by_joints_mm, detail)
+        );
+        facts.push(fact(say!("with corrected commands"), sentence));
     }
     facts
 }

@@ -21,7 +21,7 @@ const RULES: Rules = Rules {
     ..csv::RULES
 };
 
-pub(super) const FORMAT: Format = Format::table(
+pub(super) const FORMAT: Format = TableFile::format(
     phrase!("C99 header with a lookup function"),
     "h",
     &TableFile {
@@ -140,8 +140,9 @@ fn array(text: &mut String, name: &str, values: &[f64]) {
 
 /// Reads the arrays back, and where their entries stand from the line that looks them up.
 fn read(table: &Sheet, text: &str) -> Result<Columns, ExportError> {
+    let wrong = |what: &str| ExportError::ReadBack(what.to_owned());
     let values = |side: &str| -> Result<Vec<f64>, ExportError> {
-        let wrong = || ExportError::from(format!("the {side} entries"));
+        let wrong = || ExportError::ReadBack(format!("the {side} entries"));
         let start = format!("{}_{side}_{}[", prefix(table), table.unit());
         let after = text.split_once(&start).ok_or_else(wrong)?.1;
         let inside = after
@@ -158,7 +159,7 @@ fn read(table: &Sheet, text: &str) -> Result<Columns, ExportError> {
         let (per_step, _) = rest.split_once(';')?;
         Some((number(from)?, number(per_step)?))
     });
-    let (from, per_step) = grid.ok_or("the line of the lookup")?;
+    let (from, per_step) = grid.ok_or_else(|| wrong("the line of the lookup"))?;
     let forward = values("forward")?;
     Ok(Columns {
         places: (0..forward.len())

@@ -132,7 +132,9 @@ impl Chain {
         if off <= SAME_MM.max(ROUNDING * far_mm) {
             return Ok(());
         }
-        Err(format!("it leads {off} mm elsewhere").into())
+        Err(ExportError::ReadBack(format!(
+            "it leads {off} mm elsewhere"
+        )))
     }
 }
 

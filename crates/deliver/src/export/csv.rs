@@ -20,7 +20,7 @@ pub(super) const RULES: Rules = Rules {
     spacing: Spacing::Equal,
     widest_step: 1.0,
     most_entries: usize::MAX,
-    limited_by: None,
+    limit_because: phrase!("it has no limit"),
     directions: Directions::Both,
     repeats: false,
     interpolation: "linear between two rows",
@@ -31,7 +31,7 @@ pub(super) const RULES: Rules = Rules {
     label: None,
 };
 
-pub(super) const FORMAT: Format = Format::table(
+pub(super) const FORMAT: Format = TableFile::format(
     phrase!("CSV table with JSON metadata"),
     "csv",
     &TableFile {
@@ -56,11 +56,12 @@ fn write(_: &Job, sheet: &Sheet, _: &[Text]) -> String {
 
 /// Reads the text back as its readers will.
 fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
+    let wrong = |line: usize| ExportError::ReadBack(format!("line {} is no row", line + 1));
     let mut columns: [Vec<f64>; 3] = Default::default();
     for (index, line) in text.lines().enumerate().skip(1) {
         let cells: Option<Vec<f64>> = line.split(',').map(number).collect();
         let cells = cells.filter(|c| c.len() == 3);
-        let cells = cells.ok_or_else(|| format!("line {} is no row", index + 1))?;
+        let cells = cells.ok_or_else(|| wrong(index))?;
         for (column, cell) in columns.iter_mut().zip(cells) {
             column.push(cell);
         }

@@ -91,7 +91,7 @@ pub(super) fn finish(job: &Job, chain: &Chain, written: Written) -> Result<Expor
     let max_mm = left.iter().map(|v| rms(&[*v])).fold(0.0, f64::max);
     let nominal_rms_mm = rms(&differences_over_range(job, &all, nominal));
     if !rms_mm.is_finite() {
-        return Err("it leads nowhere".into());
+        return Err(ExportError::ReadBack("it leads nowhere".to_owned()));
     }
     let place = |v: Vector3<f64>| entered([v.x, v.y, v.z]);
     let example = text!(

@@ -20,9 +20,9 @@ use super::dh_rows::{nominal_rows, parallel};
 use super::steps::{Step, fit, motion, ranges};
 use crate::text::length;
 
-use super::format::{Makes, several_joints, zeros};
-use super::options::Asked;
-use super::{Export, ExportError, Format, Job};
+use super::exporter::several_joints;
+use super::options::{Asked, Zeros};
+use super::{Export, ExportError, Exporter, Format, Job};
 use crate::document::kinds::{TEXT, VECTOR};
 use crate::document::object::written;
 use crate::document::{Value, degrees, text_of};
@@ -38,13 +38,12 @@ pub(super) const FORMAT: Format = Format {
     id: "dh",
     title: phrase!("Denavit–Hartenberg rows"),
     extension: "json",
+    rules: None,
     suits: several_joints,
-    asks: |robot| Asked {
-        convention: Some(came_in(robot)),
-        ..zeros(robot)
-    },
-    makes: Makes::Description(export),
+    exporter: &Dh,
 };
+
+struct Dh;
 
 /// Rows that lead to the same place up to this say everything, mm.
 const FOUND_MM: f64 = 1e-7;
@@ -57,53 +56,63 @@ struct Rows {
     tool: Pose,
 }
 
-fn export(job: &Job) -> Result<Export, ExportError> {
-    let nominal = &job.calibration.model.robot;
-    let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
-    let convention = job.options.convention.unwrap_or_else(|| came_in(nominal));
-    let found = fitted(job, &chain, convention);
-    let text = write(job, &found);
-    let robot = read(&text)?;
-    let parallels = parallels(nominal);
-    let mut cannot_say = Vec::new();
-    let far_mm = chain.farthest(job, &robot);
-    if far_mm > FOUND_MM {
-        let far = length(far_mm, 4);
-        cannot_say.push(if parallels.is_empty() {
-            text!(
-                "no DH rows describe this robot completely: {far} remain at most over the measured range",
-                far
-            )
-        } else {
-            text!(
-                "the rows cannot describe how parallel axes are turned against each other about y (joints {joints}): {far} remain at most over the measured range",
-                joints = Text::listed(parallels, ", "),
-                far
-            )
-        });
+impl Exporter for Dh {
+    fn asks(&self, robot: &Robot) -> Asked {
+        Asked {
+            zeros: Some(Zeros::default()),
+            convention: Some(came_in(robot)),
+            ..Asked::default()
+        }
     }
-    let off_base = found.base.inverse() * nominal_rows(nominal, convention).0;
-    if off_base.translation.vector.norm() > 1e-9 || off_base.rotation.angle() > 1e-12 {
-        cannot_say.push(text!(
-            "the rows cannot describe where the first axis is in the base: enter base as well"
-        ));
+
+    fn export(&self, job: &Job) -> Result<Export, ExportError> {
+        let nominal = &job.calibration.model.robot;
+        let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
+        let convention = job.options.convention.unwrap_or_else(|| came_in(nominal));
+        let found = fitted(job, &chain, convention);
+        let text = write(job, &found);
+        let robot = read(&text)?;
+        let parallels = parallels(nominal);
+        let mut cannot_say = Vec::new();
+        let far_mm = chain.farthest(job, &robot);
+        if far_mm > FOUND_MM {
+            let far = length(far_mm, 4);
+            cannot_say.push(if parallels.is_empty() {
+                text!(
+                    "no DH rows describe this robot completely: {far} remain at most over the measured range",
+                    far
+                )
+            } else {
+                text!(
+                    "the rows cannot describe how parallel axes are turned against each other about y (joints {joints}): {far} remain at most over the measured range",
+                    joints = Text::listed(parallels, ", "),
+                    far
+                )
+            });
+        }
+        let off_base = found.base.inverse() * nominal_rows(nominal, convention).0;
+        if off_base.translation.vector.norm() > 1e-9 || off_base.rotation.angle() > 1e-12 {
+            cannot_say.push(text!(
+                "the rows cannot describe where the first axis is in the base: enter base as well"
+            ));
+        }
+        let are = "base: the frame before the first row in the base frame; tool: the tool in the \
+                   frame behind the last row";
+        let written = Written {
+            units: "mm and degrees",
+            frames: Some(frames(&found.base, &found.tool, are)),
+            cannot_say,
+            notes: vec![text!(
+                "rows in the {convention} convention",
+                convention = match convention {
+                    DhConvention::Standard => "standard",
+                    DhConvention::Modified => "modified",
+                }
+            )],
+            ..Written::of(FORMAT.id, text, robot)
+        };
+        finish(job, &chain, written)
     }
-    let are = "base: the frame before the first row in the base frame; tool: the tool in the \
-               frame behind the last row";
-    let written = Written {
-        units: "mm and degrees",
-        frames: Some(frames(&found.base, &found.tool, are)),
-        cannot_say,
-        notes: vec![text!(
-            "rows in the {convention} convention",
-            convention = match convention {
-                DhConvention::Standard => "standard",
-                DhConvention::Modified => "modified",
-            }
-        )],
-        ..Written::of(FORMAT.id, text, robot)
-    };
-    finish(job, &chain, written)
 }
 
 /// Neighbouring joints whose axes are parallel, counted from 1.
@@ -231,6 +240,8 @@ fn write(job: &Job, found: &Rows) -> String {
 }
 
 fn read(text: &str) -> Result<Robot, ExportError> {
-    let read = parse_robot(text.as_bytes()).map_err(|rejected| rejected.to_string())?;
-    Ok(read.robot)
+    match parse_robot(text.as_bytes()) {
+        Ok(read) => Ok(read.robot),
+        Err(rejected) => Err(ExportError::ReadBack(rejected.to_string())),
+    }
 }

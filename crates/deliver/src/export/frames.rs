@@ -12,20 +12,22 @@
 use super::chain::Chain;
 use super::description::{Level, Written, finish};
 use super::euler::Frame;
-use super::format::{Makes, several_joints};
-use super::options::{Asked, Zeros};
+use super::exporter::several_joints;
+use super::options::Zeros;
 use super::steps::{Step, fit, motion, ranges};
-use super::{Export, ExportError, Format, Job};
+use super::{Export, ExportError, Exporter, Format, Job};
 use crate::kinematics::{JointKind, Pose, Robot, RobotSource};
 
 pub(super) const FORMAT: Format = Format {
     id: "frames",
     title: phrase!("Zeros, base and tool frame"),
     extension: "csv",
+    rules: None,
     suits: several_joints,
-    asks: |_| Asked::default(),
-    makes: Makes::Description(export),
+    exporter: &FramesExport,
 };
+
+struct FramesExport;
 
 const HEADING: &str = "what,convention,x_mm,y_mm,z_mm,a,b,c,d,unit";
 
@@ -37,48 +39,52 @@ struct ControllerFrames {
     tool: Pose,
 }
 
-fn export(job: &Job) -> Result<Export, ExportError> {
-    let mut found = None;
-    let plain = Chain::new(job, Zeros::Origins)?;
-    let mut chain = Chain::taking(job, Zeros::Controller, |offsets| {
-        let fitted = fitted(job, &plain, offsets);
-        let zeros = fitted.zeros.clone();
-        found = Some(fitted);
-        Ok(zeros)
-    })?;
-    let found: ControllerFrames = found.ok_or("no frames")?;
-    // They take over what they can of the links, so that none of them is in a geometry.
-    chain.offsets.clone_from(&chain.taken);
-    let text = write(job, &found);
-    // The nominal links between the two frames; its zeros are the controller's.
-    let nominal = &job.calibration.model.robot;
-    let mut robot = nominal.clone();
-    for joint in &mut robot.joints {
-        joint.axis = joint.axis.moved_by(&found.base);
+impl Exporter for FramesExport {
+    fn export(&self, job: &Job) -> Result<Export, ExportError> {
+        let mut found = None;
+        let plain = Chain::new(job, Zeros::Origins)?;
+        let mut chain = Chain::taking(job, Zeros::Controller, |offsets| {
+            let fitted = fitted(job, &plain, offsets);
+            let zeros = fitted.zeros.clone();
+            found = Some(fitted);
+            Ok(zeros)
+        })?;
+        let Some(found) = found else {
+            return Err(ExportError::ReadBack("no frames".to_owned()));
+        };
+        // They take over what they can of the links, so that none of them is in a geometry.
+        chain.offsets.clone_from(&chain.taken);
+        let text = write(job, &found);
+        // The nominal links between the two frames; its zeros are the controller's.
+        let nominal = &job.calibration.model.robot;
+        let mut robot = nominal.clone();
+        for joint in &mut robot.joints {
+            joint.axis = joint.axis.moved_by(&found.base);
+        }
+        robot.base_from_tool = found.base * nominal.base_from_tool * found.tool;
+        robot.source = RobotSource::Axes;
+        let written = Written {
+            level: Level::ZerosAndFrames,
+            units: "mm; degrees or radians as each row says",
+            sign: phrase!(
+                "base: where the robot really stands, in the base frame; tool: the real tool in the frame of the nominal one (new tool data = present tool data times this); zeros: how far each joint stands beyond its command"
+            ),
+            frames: Some(super::description::frames(
+                &found.base,
+                &found.tool,
+                "base: the robot's base in the base frame; tool: the real tool in the frame of the \
+                 nominal one",
+            )),
+            zeros: Some(text!(
+                "the zero offsets in this file are the controller's to take: it has to show as much more as each joint stands beyond its command"
+            )),
+            cannot_say: vec![text!(
+                "the geometry of the links is not in these numbers: Denavit–Hartenberg rows, URDF and MJCF carry it"
+            )],
+            ..Written::of(FORMAT.id, text, robot)
+        };
+        finish(job, &chain, written)
     }
-    robot.base_from_tool = found.base * nominal.base_from_tool * found.tool;
-    robot.source = RobotSource::Axes;
-    let written = Written {
-        level: Level::ZerosAndFrames,
-        units: "mm; degrees or radians as each row says",
-        sign: phrase!(
-            "base: where the robot really stands, in the base frame; tool: the real tool in the frame of the nominal one (new tool data = present tool data times this); zeros: how far each joint stands beyond its command"
-        ),
-        frames: Some(super::description::frames(
-            &found.base,
-            &found.tool,
-            "base: the robot's base in the base frame; tool: the real tool in the frame of the \
-             nominal one",
-        )),
-        zeros: Some(text!(
-            "the zero offsets in this file are the controller's to take: it has to show as much more as each joint stands beyond its command"
-        )),
-        cannot_say: vec![text!(
-            "the geometry of the links is not in these numbers: Denavit–Hartenberg rows, URDF and MJCF carry it"
-        )],
-        ..Written::of(FORMAT.id, text, robot)
-    };
-    finish(job, &chain, written)
 }
 
 fn fitted(job: &Job, corrected: &Chain, offsets: &[f64]) -> ControllerFrames {

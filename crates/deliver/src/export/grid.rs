@@ -64,14 +64,12 @@ fn asked(job: &Job, rules: &Rules, step: f64) -> Result<Sheet, ExportError> {
         let wide = (to - from) / (rules.most_entries - 1) as f64;
         let unit = table.kind.sign();
         return Err(ExportError::Refused(text!(
-            "a step of {step} makes {entries} entries, and {format} takes at most {most}; a step of {wide} or more fits, or none: then the entries are chosen",
+            "a step of {step} makes {entries} entries, and {format} takes at most {most} ({because}); a step of {wide} or more fits, or none: then the entries are chosen",
             step = format!("{step}{unit}"),
             entries,
             format = rules.title(),
-            most = match rules.limited_by {
-                Some(name) => format!("{} ({name})", rules.most_entries),
-                None => rules.most_entries.to_string(),
-            },
+            most = rules.most_entries,
+            because = rules.limit_because,
             // Rounded up, so that it does fit.
             wide = format!("{}{unit}", (wide * 1e3).ceil() / 1e3)
         )));

@@ -98,16 +98,3 @@ impl From<TableError> for ExportError {
         Self::Table(error)
     }
 }
-
-/// What a reader of written files misses.
-impl From<&str> for ExportError {
-    fn from(what: &str) -> Self {
-        Self::ReadBack(what.to_owned())
-    }
-}
-
-impl From<String> for ExportError {
-    fn from(what: String) -> Self {
-        Self::ReadBack(what)
-    }
-}

@@ -21,11 +21,10 @@ use calibration::{Motor, TICKS_PER_TURN, read_calibration};
 
 use super::chain::{Chain, differences_over_range, rms};
 use super::description::{Written, finish};
-use super::format::Makes;
 use super::names::Names;
 use super::options::{Asked, Motors, Zeros};
 use super::urdf;
-use super::{Export, ExportError, Format, Job};
+use super::{Export, ExportError, Exporter, Format, Job};
 use crate::compensation::Compensation;
 use crate::kinematics::{Joint, JointKind, Robot};
 use crate::text::Text;
@@ -37,15 +36,12 @@ pub(super) const FORMAT: Format = Format {
     id: "lerobot",
     title: phrase!("LeRobot motor calibration and URDF"),
     extension: "json",
+    rules: None,
     suits: all_turn,
-    asks: |_| Asked {
-        zeros: Some(Zeros::Controller),
-        motors: true,
-        reference: true,
-        ..Asked::default()
-    },
-    makes: Makes::Description(export),
+    exporter: &LeRobot,
 };
+
+struct LeRobot;
 
 /// What a servo's register holds: a sign and eleven bits.
 const MOST_TICKS: i64 = 2047;
@@ -55,101 +51,114 @@ fn all_turn(robot: &Robot) -> bool {
     robot.joints.len() > 1 && robot.joints.iter().all(turns)
 }
 
-fn export(job: &Job) -> Result<Export, ExportError> {
-    let nominal = &job.calibration.model.robot;
-    let slides = |joint: &&Joint| joint.kind == JointKind::Prismatic;
-    if let Some(joint) = nominal.joints.iter().find(slides) {
-        return Err(ExportError::Refused(text!(
-            "joint '{joint}' slides, and the servos of LeRobot turn; use urdf",
-            joint = &joint.name
-        )));
-    }
-    let (mut motors, mut notes) = present(job)?;
-    let places = motors_of_joints(&motors, nominal)?;
-    let zeros = job.options.zeros.unwrap_or(Zeros::Controller);
-    let tick = std::f64::consts::TAU / TICKS_PER_TURN as f64;
-    let chain = Chain::taking(job, zeros, |offsets| {
-        Ok(offsets
-            .iter()
-            .map(|offset| match zeros {
-                Zeros::Controller => (offset / tick).round() * tick + 0.0,
-                Zeros::Origins => 0.0,
-            })
-            .collect())
-    })?;
-    let mut moved = Vec::new();
-    for (taken, place) in chain.taken.iter().zip(&places) {
-        #[allow(
-            clippy::cast_possible_truncation,
-            reason = "offsets of a joint are within a turn: whole numbers below 4096"
-        )]
-        let ticks = (taken / tick).round() as i64;
-        move_zero(&mut motors[*place], ticks, job.options.motors)?;
-        if ticks != 0 {
-            moved.push(format!("{} by {ticks:+}", motors[*place].name));
+impl Exporter for LeRobot {
+    fn asks(&self, _robot: &Robot) -> Asked {
+        Asked {
+            zeros: Some(Zeros::Controller),
+            motors: true,
+            reference: true,
+            ..Asked::default()
         }
     }
-    if !moved.is_empty() {
-        notes.push(text!(
-            "the motors show more than before, in ticks: {motors}; their ranges move by as much with it: keep away from the stops until you have tried it",
-            motors = moved.join(", ")
+
+    fn export(&self, job: &Job) -> Result<Export, ExportError> {
+        let nominal = &job.calibration.model.robot;
+        let slides = |joint: &&Joint| joint.kind == JointKind::Prismatic;
+        if let Some(joint) = nominal.joints.iter().find(slides) {
+            return Err(ExportError::Refused(text!(
+                "joint '{joint}' slides, and the servos of LeRobot turn; use urdf",
+                joint = &joint.name
+            )));
+        }
+        let (mut motors, mut notes) = present(job)?;
+        let places = motors_of_joints(&motors, nominal)?;
+        let zeros = job.options.zeros.unwrap_or(Zeros::Controller);
+        let tick = std::f64::consts::TAU / TICKS_PER_TURN as f64;
+        let chain = Chain::taking(job, zeros, |offsets| {
+            Ok(offsets
+                .iter()
+                .map(|offset| match zeros {
+                    Zeros::Controller => (offset / tick).round() * tick + 0.0,
+                    Zeros::Origins => 0.0,
+                })
+                .collect())
+        })?;
+        let mut moved = Vec::new();
+        for (taken, place) in chain.taken.iter().zip(&places) {
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "offsets of a joint are within a turn: whole numbers below 4096"
+            )]
+            let ticks = (taken / tick).round() as i64;
+            move_zero(&mut motors[*place], ticks, job.options.motors)?;
+            if ticks != 0 {
+                moved.push(format!("{} by {ticks:+}", motors[*place].name));
+            }
+        }
+        if !moved.is_empty() {
+            notes.push(text!(
+                "the motors show more than before, in ticks: {motors}; their ranges move by as much with it: keep away from the stops until you have tried it",
+                motors = moved.join(", ")
+            ));
+        }
+        let all = Compensation::new(job.calibration).robot;
+        let alone = rms(&differences_over_range(
+            job,
+            &all,
+            &nominal.rehomed(&chain.taken),
         ));
+        notes.push(text!(
+            "the calibration by itself, with the nominal URDF, leaves {left} over the measured range (level: zeros)",
+            left = length(alone, 4)
+        ));
+        let names = Names::new(&chain.robot);
+        let text = urdf::write(job, &chain, &names);
+        let robot = urdf::read(&text, &names)?;
+        chain.check(job, &robot)?;
+        notes.extend(names.notes());
+        let calibration = calibration::write(&motors);
+        if read_calibration(calibration.as_bytes(), "written")
+            .map_err(|error| ExportError::ReadBack(error.to_string()))?
+            != motors
+        {
+            return Err(ExportError::ReadBack("the calibration".to_owned()));
+        }
+        let written = Written {
+            companions: vec![(".urdf", text)],
+            units: "ticks, 4096 a turn; the URDF in metres and radians",
+            sign: match job.options.motors {
+                Motors::Feetech => {
+                    phrase!(
+                        "Feetech: present = actual − homing_offset; a joint that stands beyond its command gets a smaller homing_offset"
+                    )
+                }
+                Motors::Dynamixel => {
+                    phrase!(
+                        "Dynamixel: present = actual + homing_offset; a joint that stands beyond its command gets a larger homing_offset"
+                    )
+                }
+            },
+            ends: Some(names.ends()),
+            in_the_controller: vec![text!(
+                "the calibration by itself carries the zeros; the URDF beside it carries the rest and agrees with this motor calibration only"
+            )],
+            zeros: Some(match zeros {
+                Zeros::Controller => {
+                    text!(
+                        "the zero offsets are in homing_offset of this calibration, in whole ticks, and the rest of them in the URDF beside it: nothing else is to take them"
+                    )
+                }
+                Zeros::Origins => {
+                    text!(
+                        "the zero offsets are in the URDF beside this calibration, which is as it was"
+                    )
+                }
+            }),
+            notes,
+            ..Written::of(FORMAT.id, calibration, robot)
+        };
+        finish(job, &chain, written)
     }
-    let all = Compensation::new(job.calibration).robot;
-    let alone = rms(&differences_over_range(
-        job,
-        &all,
-        &nominal.rehomed(&chain.taken),
-    ));
-    notes.push(text!(
-        "the calibration by itself, with the nominal URDF, leaves {left} over the measured range (level: zeros)",
-        left = length(alone, 4)
-    ));
-    let names = Names::new(&chain.robot);
-    let text = urdf::write(job, &chain, &names);
-    let robot = urdf::read(&text, &names)?;
-    chain.check(job, &robot)?;
-    notes.extend(names.notes());
-    let calibration = calibration::write(&motors);
-    let read = read_calibration(calibration.as_bytes(), "written");
-    if read.map_err(|rejected| rejected.to_string())? != motors {
-        return Err("the calibration".into());
-    }
-    let written = Written {
-        companions: vec![(".urdf", text)],
-        units: "ticks, 4096 a turn; the URDF in metres and radians",
-        sign: match job.options.motors {
-            Motors::Feetech => {
-                phrase!(
-                    "Feetech: present = actual − homing_offset; a joint that stands beyond its command gets a smaller homing_offset"
-                )
-            }
-            Motors::Dynamixel => {
-                phrase!(
-                    "Dynamixel: present = actual + homing_offset; a joint that stands beyond its command gets a larger homing_offset"
-                )
-            }
-        },
-        ends: Some(names.ends()),
-        in_the_controller: vec![text!(
-            "the calibration by itself carries the zeros; the URDF beside it carries the rest and agrees with this motor calibration only"
-        )],
-        zeros: Some(match zeros {
-            Zeros::Controller => {
-                text!(
-                    "the zero offsets are in homing_offset of this calibration, in whole ticks, and the rest of them in the URDF beside it: nothing else is to take them"
-                )
-            }
-            Zeros::Origins => {
-                text!(
-                    "the zero offsets are in the URDF beside this calibration, which is as it was"
-                )
-            }
-        }),
-        notes,
-        ..Written::of(FORMAT.id, calibration, robot)
-    };
-    finish(job, &chain, written)
 }
 
 /// The calibration that was active while measuring.

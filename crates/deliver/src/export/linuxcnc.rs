@@ -31,7 +31,7 @@ const RULES: Rules = Rules {
     spacing: Spacing::Free,
     widest_step: 10.0,
     most_entries: 256,
-    limited_by: None,
+    limit_because: phrase!("the size of its table"),
     directions: Directions::Both,
     repeats: false,
     interpolation: "linear between two lines",
@@ -43,7 +43,7 @@ const RULES: Rules = Rules {
     label: None,
 };
 
-pub(super) const FORMAT: Format = Format::table(
+pub(super) const FORMAT: Format = TableFile::format(
     phrase!("LinuxCNC COMP_FILE"),
     "comp",
     &TableFile {
@@ -78,7 +78,9 @@ fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
         columns.reverse.push(reverse);
     }
     if columns.places.is_empty() {
-        return Err("its first line is no entry".into());
+        return Err(ExportError::ReadBack(
+            "its first line is no entry".to_owned(),
+        ));
     }
     Ok(columns)
 }

@@ -13,41 +13,54 @@ use nalgebra::Vector3;
 use super::chain::Chain;
 use super::description::{Written, finish};
 use super::euler::{three, tidy};
-use super::format::{Makes, several_joints, zeros};
 use super::names::{Names, escaped};
-use super::{Export, ExportError, Format, Job};
+use super::options::{Asked, Zeros};
+
+use super::exporter::several_joints;
+use super::{Export, ExportError, Exporter, Format, Job};
 use crate::kinematics::{JointKind, Pose, Robot, robot_from_mjcf};
 
 pub(super) const FORMAT: Format = Format {
     id: "mjcf",
     title: phrase!("MJCF with corrected bodies"),
     extension: "xml",
+    rules: None,
     suits: several_joints,
-    asks: zeros,
-    makes: Makes::Description(export),
+    exporter: &Mjcf,
 };
+
+struct Mjcf;
 
 const MM_PER_M: f64 = 1e3;
 
-fn export(job: &Job) -> Result<Export, ExportError> {
-    let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
-    let names = Names::new(&chain.robot);
-    let text = write(&chain, &names);
-    let [base, tip] = names.ends();
-    let file = std::path::Path::new("written.xml");
-    let robot = robot_from_mjcf(&text, file, &base, &tip);
-    let robot: Robot = robot.map_err(|rejected| rejected.to_string())?;
-    chain.check(job, &robot)?;
-    let mut notes = names.notes();
-    notes.push(text!(
-        "masses are not written: a calibration does not know the inertia of a link"
-    ));
-    let written = Written {
-        ends: Some([base, tip]),
-        notes,
-        ..Written::of(FORMAT.id, text, robot)
-    };
-    finish(job, &chain, written)
+impl Exporter for Mjcf {
+    fn asks(&self, _robot: &Robot) -> Asked {
+        Asked {
+            zeros: Some(Zeros::default()),
+            ..Asked::default()
+        }
+    }
+
+    fn export(&self, job: &Job) -> Result<Export, ExportError> {
+        let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
+        let names = Names::new(&chain.robot);
+        let text = write(&chain, &names);
+        let [base, tip] = names.ends();
+        let file = std::path::Path::new("written.xml");
+        let robot: Robot = robot_from_mjcf(&text, file, &base, &tip)
+            .map_err(|error| ExportError::ReadBack(error.to_string()))?;
+        chain.check(job, &robot)?;
+        let mut notes = names.notes();
+        notes.push(text!(
+            "masses are not written: a calibration does not know the inertia of a link"
+        ));
+        let written = Written {
+            ends: Some([base, tip]),
+            notes,
+            ..Written::of(FORMAT.id, text, robot)
+        };
+        finish(job, &chain, written)
+    }
 }
 
 fn write(chain: &Chain, names: &Names) -> String {

@@ -19,18 +19,17 @@ use crate::kinematics::Robot;
 use crate::model::Calibration;
 use crate::sessions::Session;
 use crate::text::Text;
-use format::several_joints;
+use exporter::several_joints;
 
 mod chain;
 mod corrected;
 mod description;
 mod dh_rows;
 mod euler;
-mod format;
+mod exporter;
 mod grid;
 mod job;
 mod knots;
-mod made;
 mod names;
 mod options;
 #[doc(hidden)]
@@ -44,10 +43,9 @@ mod steps;
 mod table_file;
 
 pub use dh_rows::nominal_rows;
-pub use format::Format;
+pub use exporter::{Document, Export, Exporter, Format};
 pub use job::{ExportError, Job};
 pub use lerobot::lerobot_calibration;
-pub use made::{Document, Export};
 pub use options::{Asked, Motors, Options, Reference, Zeros};
 pub use read_back::{ReadBack, gap_left, gap_to, gap_without};
 pub use residual_error::{Allowance, ResidualError};

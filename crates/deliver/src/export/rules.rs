@@ -85,8 +85,8 @@ pub struct Rules {
     pub widest_step: f64,
     /// The most entries that its reader takes.
     pub most_entries: usize,
-    /// The controller's own name of that limit.
-    pub limited_by: Option<&'static str>,
+    /// Where that limit comes from.
+    pub limit_because: Template,
     /// Whether it has a column for each direction.
     pub directions: Directions,
     /// Whether it can say that it repeats after a turn.

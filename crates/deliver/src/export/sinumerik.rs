@@ -28,7 +28,7 @@ const RULES: Rules = Rules {
     spacing: Spacing::Equal,
     widest_step: 10.0,
     most_entries: 5000,
-    limited_by: Some("MD38000 MM_ENC_COMP_MAX_POINTS"),
+    limit_because: phrase!("MD38000 MM_ENC_COMP_MAX_POINTS"),
     directions: Directions::One {
         instead: phrase!(
             "use the axis' own backlash compensation and export a model without backlash, or choose a format with two columns (LinuxCNC, TwinCAT CNC, CSV)"
@@ -42,7 +42,7 @@ const RULES: Rules = Rules {
     label: Some(FROM_THE_MANUAL),
 };
 
-pub(super) const FORMAT: Format = Format::table(
+pub(super) const FORMAT: Format = TableFile::format(
     phrase!("SINUMERIK ENC_COMP archive"),
     "arc",
     &TableFile {
@@ -94,7 +94,7 @@ fn write(_: &Job, sheet: &Sheet, _: &[Text]) -> String {
 }
 
 fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
-    let wrong = |line: &str| ExportError::from(format!("the line '{line}'"));
+    let wrong = |line: &str| ExportError::ReadBack(format!("the line '{line}'"));
     let (mut values, mut step, mut from, mut repeats) = (Vec::new(), None, None, false);
     for line in text.lines() {
         let Some((left, value)) = line.split_once('=') else {
@@ -116,7 +116,9 @@ fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
             _ => {}
         }
     }
-    let grid = from.zip(step).ok_or("$AA_ENC_COMP_MIN, _STEP")?;
+    let grid = from
+        .zip(step)
+        .ok_or_else(|| wrong("$AA_ENC_COMP_MIN, _STEP"))?;
     Ok(Columns {
         places: (0..values.len())
             .map(|n| grid.0 + n as f64 * grid.1)

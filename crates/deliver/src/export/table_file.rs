@@ -5,12 +5,13 @@
 //! 3. written, and read back by the format's own reader, which has to give the same;
 //! 4. what the controller will make of it ([`residual_error`](super::residual_error)), and the sidecar that says so.
 
+use super::exporter::any_robot;
 use super::residual_error::{Allowance, Exact, ResidualError};
 use super::rules::Rules;
 use super::sheet::Sheet;
 use super::sidecar::Sidecar;
-use super::{Document, Export, ExportError, Job, ReadBack, grid};
-use crate::text::{InUnits, Text, current};
+use super::{Document, Export, ExportError, Exporter, Format, Job, ReadBack, grid};
+use crate::text::{InUnits, Template, Text, current};
 
 /// A comment in a file: a person reads it, in the language of this thread and the units of documents.
 pub(super) fn in_a_comment(text: &Text) -> String {
@@ -42,8 +43,8 @@ pub(super) struct Columns {
     pub(super) repeats: bool,
 }
 
-impl TableFile {
-    pub(super) fn export(&self, job: &Job) -> Result<Export, ExportError> {
+impl Exporter for TableFile {
+    fn export(&self, job: &Job) -> Result<Export, ExportError> {
         let rules = self.rules;
         let exact = Exact::new(job)?;
         let allowance = Allowance::of(job.calibration);
@@ -66,7 +67,7 @@ impl TableFile {
         let notes = sidecar.notes(&stays);
         let text = (self.write)(job, &sheet, &notes);
         if self.read_back(&sheet, &text)? != reads_as {
-            return Err("comments change it".into());
+            return Err(ExportError::ReadBack("comments change it".to_owned()));
         }
         let sidecar_document = sidecar.to_json(text.as_bytes());
         Ok(Export {
@@ -79,9 +80,28 @@ impl TableFile {
             left: Some(left),
         })
     }
+}
+
+impl TableFile {
+    /// The entry of the list of formats for a table, whose rules hold its name.
+    pub(super) const fn format(
+        title: Template,
+        extension: &'static str,
+        table: &'static Self,
+    ) -> Format {
+        Format {
+            id: table.rules.format,
+            title,
+            extension,
+            rules: Some(table.rules),
+            suits: any_robot,
+            exporter: table,
+        }
+    }
 
     /// What the controller makes of a file; it has to be what was meant.
     fn read_back(&self, sheet: &Sheet, text: &str) -> Result<ReadBack, ExportError> {
+        let wrong = |what: &str| ExportError::ReadBack(what.to_owned());
         let columns = (self.read)(sheet, text)?;
         let sign = self.rules.meaning.sign();
         let corrections =
@@ -97,17 +117,17 @@ impl TableFile {
         };
         // Positions that are counted in steps from the first one may differ in the last digit.
         if !near(&columns.places, &sheet.places, last_digit.max(PLACES)) {
-            return Err("the positions".into());
+            return Err(wrong("the positions"));
         }
         let same = |a: &[f64], b: &[f64]| near(a, b, 0.5 * last_digit);
         if !same(&forward, &sheet.forward) || !same(&reverse, &sheet.reverse) {
-            return Err("the corrections".into());
+            return Err(wrong("the corrections"));
         }
         if columns.repeats != sheet.repeats {
-            return Err("whether it repeats".into());
+            return Err(wrong("whether it repeats"));
         }
         let read = ReadBack::new(sheet.joint, sheet.kind, &columns.places, forward, reverse);
-        let read = read.ok_or("the positions do not ascend")?;
+        let read = read.ok_or_else(|| wrong("the positions do not ascend"))?;
         Ok(read.repeating(columns.repeats))
     }
 }

@@ -33,7 +33,7 @@ fn export(calibration: &VerifiedCalibration, id: &str, name: &str, step: f64) ->
         step: Some(step),
         ..Job::new(calibration, name)
     };
-    find(id).unwrap().export(&job).unwrap()
+    find(id).unwrap().exporter.export(&job).unwrap()
 }
 
 fn text(export: &Export, document: usize) -> String {
@@ -147,7 +147,12 @@ fn a_step_that_makes_no_sense_is_refused() {
         (job(1e-9, 0), "at most 1000000"),
         (job(1.0, 1), "joint 2: the robot has 1"),
     ] {
-        let refused = find("csv").unwrap().export(&job).unwrap_err().to_string();
+        let refused = find("csv")
+            .unwrap()
+            .exporter
+            .export(&job)
+            .unwrap_err()
+            .to_string();
         assert!(refused.contains(says), "{refused}");
     }
     let odd = export(&calibration, "csv", "t.csv", 7.0);

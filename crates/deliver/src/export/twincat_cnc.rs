@@ -30,7 +30,7 @@ const RULES: Rules = Rules {
     spacing: Spacing::Free,
     widest_step: 10.0,
     most_entries: 1500,
-    limited_by: Some("P-COMP-00059"),
+    limit_because: phrase!("P-COMP-00059 where it was not raised"),
     directions: Directions::Both,
     repeats: true,
     interpolation: "linear between two entries",
@@ -43,7 +43,7 @@ const RULES: Rules = Rules {
 /// Whole numbers in a degree or a mm.
 const PER_OUTER: f64 = 1e4;
 
-pub(super) const FORMAT: Format = Format::table(
+pub(super) const FORMAT: Format = TableFile::format(
     phrase!("TwinCAT CNC (ISG) list"),
     "lis",
     &TableFile {
@@ -91,7 +91,7 @@ fn write(_: &Job, sheet: &Sheet, _: &[Text]) -> String {
 }
 
 fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
-    let wrong = |line: &str| ExportError::from(format!("the line '{line}'"));
+    let wrong = |line: &str| ExportError::ReadBack(format!("the line '{line}'"));
     let mut columns = Columns::default();
     for line in text.lines() {
         let (key, value) = line.split_once(' ').ok_or_else(|| wrong(line))?;

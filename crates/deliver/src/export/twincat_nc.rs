@@ -30,7 +30,7 @@ const RULES: Rules = Rules {
     spacing: Spacing::Equal,
     widest_step: 10.0,
     most_entries: usize::MAX,
-    limited_by: None,
+    limit_because: phrase!("it is limited only by memory"),
     directions: Directions::One {
         instead: phrase!(
             "use the axis' own backlash compensation and export a model without \
@@ -46,7 +46,7 @@ const RULES: Rules = Rules {
     label: Some(FROM_THE_MANUAL),
 };
 
-pub(super) const FORMAT: Format = Format::table(
+pub(super) const FORMAT: Format = TableFile::format(
     phrase!("TwinCAT NC structured text"),
     "st",
     &TableFile {
@@ -88,6 +88,7 @@ fn write(_: &Job, sheet: &Sheet, notes: &[Text]) -> String {
 }
 
 fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
+    let wrong = |what: &str| ExportError::ReadBack(what.to_owned());
     let code: Vec<&str> = text
         .lines()
         .filter(|line| !line.starts_with("//"))
@@ -96,7 +97,7 @@ fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
     let table = code
         .split_once(":= [")
         .and_then(|(_, rest)| rest.split_once("];"));
-    let (table, rest) = table.ok_or("there is no table")?;
+    let (table, rest) = table.ok_or_else(|| wrong("there is no table"))?;
     let (mut places, mut corrections) = (Vec::new(), Vec::new());
     for element in table.split('(').skip(1) {
         let inside = element.split_once(')').map(|(inside, _)| inside);
@@ -106,7 +107,7 @@ fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
             let correction = correction.trim().strip_prefix("Compensation :=")?;
             Some((number(place)?, number(correction)?))
         });
-        let (place, correction) = pair.ok_or("an element")?;
+        let (place, correction) = pair.ok_or_else(|| wrong("an element"))?;
         places.push(place);
         corrections.push(correction);
     }

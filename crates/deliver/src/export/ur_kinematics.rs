@@ -20,8 +20,9 @@ use super::description::{Written, finish, frames};
 use super::dh_rows::nominal_rows;
 use super::euler::Frame;
 use super::euler::{rpy, tidy};
-use super::format::{Makes, zeros};
-use super::{Export, ExportError, Format, Job};
+use super::options::{Asked, Zeros};
+
+use super::{Export, ExportError, Exporter, Format, Job};
 use crate::kinematics::{Axis, DhConvention, Joint, JointKind, Pose, Robot, RobotSource};
 use crate::model::format_v1::model_hash;
 use crate::text::entered;
@@ -30,10 +31,12 @@ pub(super) const FORMAT: Format = Format {
     id: "ur-kinematics",
     title: phrase!("Kinematics of ur_description"),
     extension: "yaml",
+    rules: None,
     suits: six_that_turn,
-    asks: zeros,
-    makes: Makes::Description(export),
+    exporter: &UrKinematics,
 };
+
+struct UrKinematics;
 
 const LINKS: [&str; 6] = [
     "shoulder",
@@ -51,43 +54,52 @@ fn six_that_turn(robot: &Robot) -> bool {
     robot.joints.len() == LINKS.len() && robot.joints.iter().all(turns)
 }
 
-fn export(job: &Job) -> Result<Export, ExportError> {
-    let nominal = &job.calibration.model.robot;
-    if !six_that_turn(nominal) {
-        return Err(ExportError::Refused(text!(
-            "the kinematics of ur_description has six turning joints, and this robot has {joints}; use urdf",
-            joints = nominal.joints.len()
-        )));
+impl Exporter for UrKinematics {
+    fn asks(&self, _robot: &Robot) -> Asked {
+        Asked {
+            zeros: Some(Zeros::default()),
+            ..Asked::default()
+        }
     }
-    let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
-    let links = link_frames(nominal, &chain);
-    let text = write(job, &links);
-    let read = read(&text)?;
-    let last = links[links.len() - 1];
-    let tool = last.inverse() * chain.robot.base_from_tool;
-    let robot = robot(&read, &tool)?;
-    chain.check(job, &robot)?;
-    let tcp = frames(
-        &Pose::identity(),
-        &tool,
-        "base: the frame that the first link is told in; tool: the TCP in the frame of wrist_3",
-    );
-    let flange = Frame::of(&tool);
-    let [rx, ry, rz] = flange.ur_rotation_vector_rad;
-    let enter = text!(
-        "set the TCP to {place} with the rotation vector {turn}: the tool is not part of this file",
-        place = entered(flange.position_mm),
-        turn = format!("({rx:.6}, {ry:.6}, {rz:.6}) rad")
-    );
-    let written = Written {
-        frames: Some(tcp),
-        in_the_controller: vec![enter],
-        notes: vec![text!(
-            "for the launch argument kinematics_params_file; the driver compares its hash with the controller's own calibration and warns that they differ"
-        )],
-        ..Written::of(FORMAT.id, text, robot)
-    };
-    finish(job, &chain, written)
+
+    fn export(&self, job: &Job) -> Result<Export, ExportError> {
+        let nominal = &job.calibration.model.robot;
+        if !six_that_turn(nominal) {
+            return Err(ExportError::Refused(text!(
+                "the kinematics of ur_description has six turning joints, and this robot has {joints}; use urdf",
+                joints = nominal.joints.len()
+            )));
+        }
+        let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
+        let links = link_frames(nominal, &chain);
+        let text = write(job, &links);
+        let read = read(&text)?;
+        let last = links[links.len() - 1];
+        let tool = last.inverse() * chain.robot.base_from_tool;
+        let robot = robot(&read, &tool)?;
+        chain.check(job, &robot)?;
+        let tcp = frames(
+            &Pose::identity(),
+            &tool,
+            "base: the frame that the first link is told in; tool: the TCP in the frame of wrist_3",
+        );
+        let flange = Frame::of(&tool);
+        let [rx, ry, rz] = flange.ur_rotation_vector_rad;
+        let enter = text!(
+            "set the TCP to {place} with the rotation vector {turn}: the tool is not part of this file",
+            place = entered(flange.position_mm),
+            turn = format!("({rx:.6}, {ry:.6}, {rz:.6}) rad")
+        );
+        let written = Written {
+            frames: Some(tcp),
+            in_the_controller: vec![enter],
+            notes: vec![text!(
+                "for the launch argument kinematics_params_file; the driver compares its hash with the controller's own calibration and warns that they differ"
+            )],
+            ..Written::of(FORMAT.id, text, robot)
+        };
+        finish(job, &chain, written)
+    }
 }
 
 /// The frames of the links at home, z along the joints.
@@ -136,24 +148,25 @@ fn write(job: &Job, links: &[Pose]) -> String {
 
 /// The steps from link to link of a file.
 fn read(text: &str) -> Result<Vec<Pose>, ExportError> {
+    let wrong = |what: &str| ExportError::ReadBack(what.to_owned());
     let mut steps: Vec<(String, [Option<f64>; 6])> = Vec::new();
     for line in text.lines().skip(1) {
-        let (key, value) = line.split_once(':').ok_or(line)?;
+        let (key, value) = line.split_once(':').ok_or_else(|| wrong(line))?;
         let (key, value) = (key.trim(), value.trim());
         if value.is_empty() {
             steps.push((key.to_owned(), [None; 6]));
         } else if let Some(place) = KEYS.iter().position(|known| *known == key) {
-            let (_, values) = steps.last_mut().ok_or(line)?;
-            values[place] = Some(value.parse().map_err(|_| line)?);
+            let (_, values) = steps.last_mut().ok_or_else(|| wrong(line))?;
+            values[place] = Some(value.parse().map_err(|_| wrong(line))?);
         }
     }
     if steps.iter().map(|(name, _)| name.as_str()).ne(LINKS) {
-        return Err("the links".into());
+        return Err(wrong("the links"));
     }
     let pose = |(name, values): &(String, [Option<f64>; 6])| {
         let mut numbers = [0.0; 6];
         for (number, value) in numbers.iter_mut().zip(values) {
-            *number = value.ok_or(name.as_str())?;
+            *number = value.ok_or_else(|| wrong(name))?;
         }
         let [x, y, z, roll, pitch, yaw] = numbers;
         let place = Vector3::new(x, y, z) * MM_PER_M;
@@ -170,8 +183,8 @@ fn robot(steps: &[Pose], tool: &Pose) -> Result<Robot, ExportError> {
     for (name, step) in LINKS.iter().zip(steps) {
         link *= step;
         let origin = Point3::from(link.translation.vector);
-        let axis = Axis::through(link.rotation * Vector3::z(), origin);
-        let axis = axis.map_err(|error| error.to_string())?;
+        let axis = Axis::through(link.rotation * Vector3::z(), origin)
+            .map_err(|error| ExportError::ReadBack(error.to_string()))?;
         joints.push(Joint::new(*name, JointKind::Revolute, axis));
     }
     Ok(Robot {

@@ -22,10 +22,10 @@ mod origin;
 use super::chain::Chain;
 use super::description::{Written, finish};
 use super::euler::three;
-use super::format::{Makes, any_robot, zeros};
+use super::exporter::any_robot;
 use super::names::{Names, escaped};
-use super::options::Asked;
-use super::{Export, ExportError, Format, Job};
+use super::options::{Asked, Zeros};
+use super::{Export, ExportError, Exporter, Format, Job};
 use crate::kinematics::{JointKind, Pose, Robot, RobotSource, robot_from_urdf};
 use crate::text::Text;
 use origin::{MM_PER_M, origin};
@@ -34,30 +34,39 @@ pub(super) const FORMAT: Format = Format {
     id: "urdf",
     title: phrase!("URDF with corrected origins"),
     extension: "urdf",
+    rules: None,
     suits: any_robot,
-    asks: |robot| Asked {
-        reference: true,
-        ..zeros(robot)
-    },
-    makes: Makes::Description(export),
+    exporter: &Urdf,
 };
 
-fn export(job: &Job) -> Result<Export, ExportError> {
-    let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
-    if let Some(reference) = job.options.reference {
-        let written = in_place::write(job, &chain, reference, FORMAT.id)?;
-        return finish(job, &chain, written);
+struct Urdf;
+
+impl Exporter for Urdf {
+    fn asks(&self, _robot: &Robot) -> Asked {
+        Asked {
+            zeros: Some(Zeros::default()),
+            reference: true,
+            ..Asked::default()
+        }
     }
-    let names = Names::new(&chain.robot);
-    let text = write(job, &chain, &names);
-    let robot = read(&text, &names)?;
-    chain.check(job, &robot)?;
-    let written = Written {
-        ends: Some(names.ends()),
-        notes: [names.notes(), came_from_a_file(job)].concat(),
-        ..Written::of(FORMAT.id, text, robot)
-    };
-    finish(job, &chain, written)
+
+    fn export(&self, job: &Job) -> Result<Export, ExportError> {
+        let chain = Chain::new(job, job.options.zeros.unwrap_or_default())?;
+        if let Some(reference) = job.options.reference {
+            let written = in_place::write(job, &chain, reference, FORMAT.id)?;
+            return finish(job, &chain, written);
+        }
+        let names = Names::new(&chain.robot);
+        let text = write(job, &chain, &names);
+        let robot = read(&text, &names)?;
+        chain.check(job, &robot)?;
+        let written = Written {
+            ends: Some(names.ends()),
+            notes: [names.notes(), came_from_a_file(job)].concat(),
+            ..Written::of(FORMAT.id, text, robot)
+        };
+        finish(job, &chain, written)
+    }
 }
 
 /// That the file which the robot came from can be changed in place.
@@ -137,6 +146,6 @@ pub(super) fn write(job: &Job, chain: &Chain, names: &Names) -> String {
 /// The chain that a file describes.
 pub(super) fn read(text: &str, names: &Names) -> Result<Robot, ExportError> {
     let [base, tip] = names.ends();
-    let robot = robot_from_urdf(text, std::path::Path::new("written.urdf"), &base, &tip);
-    robot.map_err(|rejected| rejected.to_string().into())
+    let wrong = |error: crate::diagnostic::Rejected| ExportError::ReadBack(error.to_string());
+    robot_from_urdf(text, std::path::Path::new("written.urdf"), &base, &tip).map_err(wrong)
 }

@@ -10,9 +10,20 @@ use crate::kinematics::Robot;
 use crate::standards::grouping::gathered;
 use crate::text::{Text, by_titles, current};
 
-use super::names::{parameter, title};
+use super::names::parameter;
 use super::numbers::significant;
 use super::units::Units;
+
+/// A line: whom it is about, and what is said.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Line {
+    /// Effects with their joints.
+    pub(crate) names: String,
+    /// Whether it is about joints, not about the whole robot or the instrument.
+    pub(crate) of_joints: bool,
+    /// In the language of this thread.
+    pub(crate) text: String,
+}
 
 /// Joints, counted from 0, as they are said: `joint 2`, `joints 1–3, 5`.
 pub(crate) fn joints_in_words(joints: &[usize]) -> String {
@@ -38,8 +49,7 @@ pub(crate) fn joints_in_words(joints: &[usize]) -> String {
 
 /// An effect with its joints; of a robot with one joint, or of an effect that belongs to none, the
 /// effect alone.
-fn with_joints(effect: &str, joints: &[Option<usize>], robot: &Robot) -> String {
-    let name = title(effect);
+fn with_joints(name: &str, joints: &[Option<usize>], robot: &Robot) -> String {
     let numbers: Vec<usize> = joints.iter().flatten().copied().collect();
     if numbers.is_empty() || robot.joint_count() == 1 {
         return name.to_owned();
@@ -74,30 +84,42 @@ pub fn sight(effect: &str, name: &str, size: f64) -> Detectability {
     }
 }
 
-/// What is not testable, a line for each reason: the effects with their joints, and the reason.
-pub(crate) fn not_testable(d: &Diagnosis) -> Vec<(String, String)> {
+/// What is not testable, a line for each reason; `name` is what an effect is called.
+pub(crate) fn not_testable(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<Line> {
     let robot = &d.model.robot;
     let all = d.not_testable.iter();
     let all = all.filter(|one| applies(robot, one.effect, one.joint));
     let line = |(because, all): (&Text, Vec<(&str, Option<usize>)>)| {
         let effects = gathered(all).into_iter();
-        let names = effects.map(|(effect, joints)| with_joints(effect, &joints, robot));
-        let names: Vec<String> = names.collect();
-        (
-            names.join("; "),
-            because.spoken_with(current(), by_titles()),
-        )
+        let names = effects.map(|(effect, joints)| with_joints(&name(effect), &joints, robot));
+        Line {
+            names: names.collect::<Vec<_>>().join("; "),
+            of_joints: true,
+            text: because.spoken_with(current(), by_titles()),
+        }
     };
     let reasons = gathered(all.map(|one| (&one.because, (one.effect, one.joint))));
     reasons.into_iter().map(line).collect()
 }
 
-/// Limits (95 %), a line for each effect with its joints.
-pub(crate) fn limits_of(robot: &Robot, limits: &[Limit]) -> Vec<(String, String)> {
+/// The limits of a diagnosis (95 %), a line for each effect; `name` is what an effect is called.
+pub(crate) fn limits(d: &Diagnosis, name: impl Fn(&str) -> String) -> Vec<Line> {
+    limits_of(&d.model.robot, &d.not_found, name)
+}
+
+/// Limits (95 %), a line for each effect; `name` is what an effect is called.
+pub(crate) fn limits_of(
+    robot: &Robot,
+    limits: &[Limit],
+    name: impl Fn(&str) -> String,
+) -> Vec<Line> {
     let line = |(effect, limits): (&str, Vec<&Limit>)| {
         let joints: Vec<Option<usize>> = limits.iter().map(|limit| limit.joint).collect();
-        let names = with_joints(effect, &joints, robot);
-        (names, limits_in_words(effect, &limits))
+        Line {
+            names: with_joints(&name(effect), &joints, robot),
+            of_joints: joints.iter().any(Option::is_some),
+            text: limits_in_words(effect, &limits),
+        }
     };
     let effects = gathered(limits.iter().map(|limit| (limit.effect, limit)));
     effects.into_iter().map(line).collect()
@@ -157,9 +179,8 @@ fn limits_in_words(effect: &str, limits: &[&Limit]) -> String {
 }
 
 fn hidden_in_words(hidden: &[(String, Option<usize>)], limits: &[&Limit], all: bool) -> String {
-    let says = say!("not observable with these poses");
     if all {
-        return says.to_owned();
+        return say!("not observable with these poses").to_owned();
     }
     let mut names: Vec<&str> = hidden.iter().map(|(name, _)| name.as_str()).collect();
     names.dedup();
@@ -169,7 +190,7 @@ fn hidden_in_words(hidden: &[(String, Option<usize>)], limits: &[&Limit], all: b
     } else {
         names.join(", ")
     };
-    format!("{says}: {which}")
+    say!("not observable with these poses: {which}", which)
 }
 
 impl Sizes {

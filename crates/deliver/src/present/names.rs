@@ -45,10 +45,11 @@ pub fn parameter_in_english(name: &str) -> (String, &'static str) {
     (stem.replace('_', " "), unit.symbol)
 }
 
-/// Words that files and commands have and people read: of verdicts, kinds of robots, reasons, steps of a model's
-/// history.
+/// Words that files and commands have and people read: of verdicts, kinds of robots and of places, reasons, steps of
+/// a model's history.
 const WORDS: &[Template] = &[
     phrase!("ambiguous"),
+    phrase!("anchor"),
     phrase!("changed"),
     phrase!("explained"),
     phrase!("external"),
@@ -57,9 +58,12 @@ const WORDS: &[Template] = &[
     phrase!("noise"),
     phrase!("nominal robot"),
     phrase!("partly-explained"),
+    phrase!("plane"),
     phrase!("relative"),
     phrase!("SCARA"),
     phrase!("singular"),
+    phrase!("socket"),
+    phrase!("station"),
     phrase!("unexplained"),
     phrase!("unreachable"),
     phrase!("unused"),

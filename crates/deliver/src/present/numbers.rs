@@ -2,7 +2,7 @@
 //! supports, a real minus sign, and the decimal sign that the reader chose. Terminal tables write an
 //! ASCII minus sign, as other programs read them.
 
-use crate::numeric::{shortened, whole};
+use crate::numeric::whole;
 use std::cell::Cell;
 
 /// How numbers are written for people.
@@ -70,7 +70,13 @@ fn scientific(value: f64, digits: usize) -> String {
 
 /// At most so many decimals, without zeros at the end.
 pub fn trimmed(value: f64, decimals: usize) -> String {
-    with_minus(&shortened(value, decimals))
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        &text
+    };
+    with_minus(text)
 }
 
 /// So many decimals, whatever the size: for columns whose numbers are compared.

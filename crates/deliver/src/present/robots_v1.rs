@@ -1,7 +1,6 @@
 //! `truepose-robot-list/1`: robots of the library, as JSON.
 
 use super::json::{Json, keyed, list, object, optional};
-use crate::numeric::shortened;
 use crate::robots::{LibraryRobot, Reference, Source, source};
 
 /// The document of these robots, with the sources that they name.
@@ -68,5 +67,9 @@ fn entry(robot: &LibraryRobot) -> Json {
 
 /// A figure as it is published, without needless zeros; a dash where there is none.
 pub fn figure(value: Option<f64>) -> String {
-    value.map_or("–".to_owned(), |value| shortened(value, 3))
+    let shortest = |value: f64| {
+        let text = format!("{value:.3}");
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    };
+    value.map_or("–".to_owned(), shortest)
 }

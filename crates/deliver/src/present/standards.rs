@@ -4,7 +4,7 @@ use super::numbers::fixed;
 use super::table::{Cell, Table};
 use crate::standards::axis::{AxisTest, Series};
 use crate::standards::pose::PoseTest;
-use crate::standards::{Positioning, Standards};
+use crate::standards::{Positioning, Standards, at_least};
 use crate::text::{Template, Text, spoken};
 
 /// The figures of one test.
@@ -124,11 +124,11 @@ fn of_series(axis: &AxisTest, series: &Series, empty: &Group) -> Group {
     };
     Group {
         conditions: text!(
-            "{conditions}; {positions} positions, each approached at least {up} times in positive and {down} times in negative direction",
+            "{conditions}; {positions} positions, each approached {up} in positive and {down} in negative direction",
             conditions = series.fixed.in_words(axis),
             positions = series.before.positions.len(),
-            up,
-            down
+            up = at_least(up),
+            down = at_least(down)
         ),
         rows: rows.filter_map(row).collect(),
         missing: [&empty.missing[..], &series.missing[..]].concat(),

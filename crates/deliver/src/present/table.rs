@@ -165,27 +165,33 @@ impl Table {
     pub fn csv(&self) -> String {
         let comma = plain_number(0.5).contains(',');
         let between = if comma { ";" } else { "," };
-        self.with_all_digits(between, |text| as_cell(&cell(text)).into_owned())
+        let quoted = |text: &str| as_cell(&cell(text)).into_owned();
+        let line = |cells: Vec<String>| cells.join(between) + "\n";
+        let headings = self.columns.iter().map(|column| quoted(&column.heading));
+        let mut text = line(headings.collect());
+        for row in &self.rows {
+            let cells = row.iter().map(|one| match one.value {
+                Some(value) => plain_number(value),
+                None => quoted(&one.shown),
+            });
+            text += &line(cells.collect());
+        }
+        text
     }
 
     /// As text for a spreadsheet: tabs between the columns, numbers with all their digits and the decimal
     /// sign that the user chose, nothing where a number is not finite.
     pub fn tabbed(&self) -> String {
-        self.with_all_digits("\t", cell)
-    }
-
-    fn with_all_digits(&self, between: &str, words: impl Fn(&str) -> String) -> String {
-        let line = |cells: Vec<String>| cells.join(between) + "\n";
-        let headings = self.columns.iter().map(|column| words(&column.heading));
-        let mut text = line(headings.collect());
+        let headings = self.columns.iter().map(|column| column.heading.clone());
+        let mut lines = vec![headings.collect::<Vec<_>>().join("\t")];
         for row in &self.rows {
             let cells = row.iter().map(|one| match one.value {
                 Some(value) => plain_number(value),
-                None => words(&one.shown),
+                None => cell(&one.shown),
             });
-            text += &line(cells.collect());
+            lines.push(cells.collect::<Vec<_>>().join("\t"));
         }
-        text
+        lines.join("\n") + "\n"
     }
 }
 

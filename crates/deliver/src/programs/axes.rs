@@ -44,7 +44,7 @@ fn shoulder([one, two]: [&Joint; 2]) -> Option<Vector3<f64>> {
 }
 
 /// Axes of one kind that a controller has.
-const MOST_OWN: usize = 6;
+pub(super) const MOST_OWN: usize = 6;
 
 impl Axes {
     /// The axes of a robot.
@@ -87,7 +87,7 @@ impl Axes {
     }
 
     /// That the controller has no room for the model's own axes; `external`: how it calls the others.
-    pub(super) fn check_own(&self, external: &str) -> Result<(), Problem> {
+    pub(super) fn check_own(&self, external: &str) -> Result<(), Vec<Problem>> {
         if self.own() <= MOST_OWN {
             return Ok(());
         }
@@ -96,17 +96,7 @@ impl Axes {
             "at most 6; external axes are called {external} in the model",
             external
         );
-        Err(Problem::new(0, found, expected))
-    }
-
-    /// That all joints turn, as URScript has them.
-    pub(super) fn check_turning(&self) -> Result<(), Problem> {
-        if self.kinds.iter().all(|kind| *kind == JointKind::Revolute) {
-            return Ok(());
-        }
-        let found = text!("a model with a sliding joint");
-        let expected = text!("turning joints, which URScript gives in rad");
-        Err(Problem::new(0, found, expected))
+        Err(vec![Problem::new(0, found, expected)])
     }
 
     /// A target of joint values in degrees and mm, each taken from its axis.

@@ -21,7 +21,7 @@ use super::program::Program;
 use super::program_frames::Reading;
 use super::request::{Beside, CompensateError, Request, measured_frame};
 use super::resolve::{Resolved, Resolver, left};
-use super::settle::{in_words, settled};
+use super::settle::settled;
 use super::target::{Remark, Shape, Target};
 use super::text::Text;
 use super::{frames, rewrite, sequence};
@@ -134,10 +134,9 @@ fn of_whole(request: &Request, own: usize) -> Result<Answer, CompensateError> {
         && start.len() != robot.joints.len()
     {
         return Err(CompensateError::Refused(text!(
-            "{option}: {found}; expected {expected}",
-            option = "--start",
-            found = text!(one "{count} value", "{count} values", count = start.len()),
-            expected = text!("{joints}, one for each joint", joints = robot.joints.len())
+            "{found} joint values to start from; expected {expected}, one for each joint of the model",
+            found = start.len(),
+            expected = robot.joints.len()
         )));
     }
     if let Some(option) = request.no_number() {
@@ -350,15 +349,6 @@ fn counts_the_third_joint_itself(request: &Request) -> bool {
     parallel(two, three) && !request.calibration.set_up.moves_joints()
 }
 
-/// What holds for targets that do not state a quantity.
-fn corrected_for(quantity: Sentence, value: String) -> Sentence {
-    text!(
-        "targets without {quantity} are corrected for {value}",
-        quantity,
-        value
-    )
-}
-
 /// What was assumed, in words.
 fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<Sentence> {
     let mut notes = reading.notes.clone();
@@ -374,11 +364,15 @@ fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<Sentenc
         .iter()
         .any(|t| matches!(t.shape, Shape::Pose(_)));
     if poses {
-        let stated = reading.stated.unwrap_or_default();
-        notes.push(text!(
-            "poses for which the file declares no frame are read in the frame {frame} of the robot's base; the tool of the controller has to be the model's where the file has one tool only",
-            frame = in_words(&stated, request.language.orientation)
-        ));
+        notes.push(if reading.stated.is_none() {
+            text!(
+                "poses for which the file declares no frame are read in the robot's base frame; the tool of the controller has to be the model's where the file has one tool only"
+            )
+        } else {
+            text!(
+                "poses for which the file declares no frame are read in the frame that was stated; the tool of the controller has to be the model's where the file has one tool only"
+            )
+        });
     }
     let joints = program.targets.iter().any(|target| !target.is_pose());
     if joints && request.language.id == "fanuc-ls" && counts_the_third_joint_itself(request) {
@@ -415,17 +409,19 @@ fn notes(request: &Request, reading: &Reading, program: &Program) -> Vec<Sentenc
     }
     let unstated = |t: &Target| t.circumstances().load_kg.is_none();
     if program.targets.iter().any(unstated) {
-        notes.push(corrected_for(
-            text!("load"),
-            format!("{} kg", reading.load_kg),
+        notes.push(text!(
+            "targets without a load are corrected for {load} kg",
+            load = reading.load_kg
         ));
     }
     let cold = |t: &Target| t.circumstances().temperature_c.is_none();
     let terms = request.calibration.model.terms().iter();
     let mut warm = terms.filter(|t| t.effect.about().over == crate::effects::Over::Temperature);
     if program.targets.iter().any(cold) && warm.next().is_some() {
-        let temperature = format!("{REFERENCE_TEMPERATURE_C} °C");
-        notes.push(corrected_for(text!("temperature"), temperature));
+        notes.push(text!(
+            "targets without a temperature are corrected for {temperature} °C",
+            temperature = REFERENCE_TEMPERATURE_C
+        ));
     }
     notes
 }

@@ -17,14 +17,14 @@ use crate::fit::unseen::nothing_held;
 use crate::kinematics::configuration::Statement;
 use crate::kinematics::{JointKind, Pose, Robot};
 use crate::model::Calibration;
-use crate::text::{Text, length, small_angle};
+use crate::text::{length, small_angle};
 
 use super::answer::{Reason, SkippedTarget, Written};
 use super::axes::Axes;
 use super::configuration::leaves_its_sides;
 use super::program::Program;
 use super::request::{Request, measured_frame};
-use super::resolve::{Resolved, first_beyond, left, singular};
+use super::resolve::{Resolved, first_beyond};
 use super::sequence::Sequence;
 use super::target::Target;
 
@@ -144,18 +144,24 @@ impl Corrector<'_> {
         let answer = |(k, result): (usize, Result<Resolved, SkippedTarget>)| {
             let resolved = result?;
             let k = first + k;
-            let Some((((reached, before), wanted), unsure_mm)) = reached.next() else {
-                return left(Reason::Unreachable, unsettled());
-            };
+            let next = reached.next();
+            let (((reached, before), wanted), unsure_mm) = next.ok_or_else(|| {
+                SkippedTarget::new(
+                    Reason::Unreachable,
+                    text!("no corrected commands were found"),
+                )
+            })?;
             let turned_before_rad = before.rotation.angle_to(&wanted.rotation);
             self.check(&self.targets[k], &resolved.q, &reached, turned_before_rad)?;
             if unsure_mm > self.nominal_mm {
-                let says = text!(
-                    "the measured poses show too little of it: there the model may be off by {unsure}, and the nominal robot was off by {nominal} where it was measured; measure near it",
-                    unsure = length(unsure_mm, 3),
-                    nominal = length(self.nominal_mm, 3)
-                );
-                return left(Reason::Unseen, says);
+                return Err(SkippedTarget::new(
+                    Reason::Unseen,
+                    text!(
+                        "the measured poses show too little of it: there the model may be off by {unsure}, and the nominal robot was off by {nominal} where it was measured; measure near it",
+                        unsure = length(unsure_mm, 3),
+                        nominal = length(self.nominal_mm, 3)
+                    ),
+                ));
             }
             Ok(Written {
                 commanded: resolved.q,
@@ -302,10 +308,16 @@ impl Corrector<'_> {
     ) -> Result<(), SkippedTarget> {
         let robot = self.robot;
         if reached.singular {
-            return left(Reason::Singular, singular());
+            let says = text!(
+                "its position is singular: a small correction would take a large move of the joints"
+            );
+            return Err(SkippedTarget::new(Reason::Singular, says));
         }
         if !reached.settled {
-            return left(Reason::Singular, unsettled());
+            let says = text!(
+                "no correction of its position was found that settles: it is at the end of the reach"
+            );
+            return Err(SkippedTarget::new(Reason::Singular, says));
         }
         if let Some(beyond) = first_beyond(robot, &reached.q) {
             let [value, limit] = beyond.shown(robot);
@@ -315,7 +327,7 @@ impl Corrector<'_> {
                 value,
                 limit
             );
-            return left(Reason::Unreachable, says);
+            return Err(SkippedTarget::new(Reason::Unreachable, says));
         }
         let off = reached.position_mm > REACHED[0] && self.positions;
         let turned = self.whole && reached.rotation_rad > REACHED[1] && !reached.damped;
@@ -325,29 +337,29 @@ impl Corrector<'_> {
                 position_mm = length(reached.position_mm, 4),
                 rotation_rad = small_angle(reached.rotation_rad, 4)
             );
-            return left(Reason::Unreachable, says);
+            return Err(SkippedTarget::new(Reason::Unreachable, says));
         }
         if self.whole && reached.rotation_rad > turned_before_rad + MOST_TURNED {
             let says = text!(
                 "its position is nearly singular: the correction would turn the tool by {rotation_rad}",
                 rotation_rad = small_angle(reached.rotation_rad, 1)
             );
-            return left(Reason::Singular, says);
+            return Err(SkippedTarget::new(Reason::Singular, says));
+        }
+        if leaves_its_sides(target, robot, commanded, &reached.q) {
+            let says = text!("its correction would lead into another configuration");
+            return Err(SkippedTarget::new(Reason::Singular, says));
         }
         let jump = robot.joints.iter().zip(commanded.iter().zip(&reached.q));
         let turned_over = jump
             .filter(|(joint, _)| joint.kind == JointKind::Revolute)
             .any(|(_, (from, to))| (to - from).abs() > MOST_TURN);
-        if turned_over || leaves_its_sides(target, robot, commanded, &reached.q) {
-            let says = text!("its correction would lead into another configuration");
-            return left(Reason::Singular, says);
+        if turned_over {
+            let says = text!("its correction would turn a joint by more than a quarter turn");
+            return Err(SkippedTarget::new(Reason::Singular, says));
         }
         Ok(())
     }
-}
-
-fn unsettled() -> Text {
-    text!("no correction of its position was found that settles: it is at the end of the reach")
 }
 
 /// An orientation is given up for a position by no more than this, rad.

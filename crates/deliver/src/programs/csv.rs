@@ -4,6 +4,7 @@
 //! Commas, semicolons or tabs between cells; with semicolons or tabs a decimal comma as well. Other
 //! columns are left as they are. Rows of nothing but empty cells are no targets.
 
+use crate::text::Template;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -38,7 +39,8 @@ fn first_line(text: &Text) -> Option<Range<usize>> {
 
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     let Some(first) = first_line(text) else {
-        return Err(vec![Problem::new(0, text!("an empty file"), headings())]);
+        let expected = text!("a header, with q1_deg … or x_mm, y_mm, z_mm …");
+        return Err(vec![Problem::new(0, text!("an empty table"), expected)]);
     };
     let separator = Separator::of_headings(&text.bytes[first]);
     let mut rows = Rows::new(text.bytes, text.start(), Dialect::of_lines(separator));
@@ -84,14 +86,6 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
     }
 }
 
-/// What a table of targets begins with.
-fn headings() -> crate::text::Text {
-    text!(
-        "a header such as {header}",
-        header = "q1_deg,q2_deg,… / x_mm,y_mm,z_mm,qw,qx,qy,qz"
-    )
-}
-
 fn not_closed(quote: OpenQuote) -> Problem {
     let found = text!("a quote that is not closed");
     Problem::new(quote.at, found, text!("a closing quote"))
@@ -105,8 +99,13 @@ fn header_columns(text: &Text, header: &Row, axes: &Axes) -> Result<Columns, Pro
     for cell in &header.cells {
         let cell = content(text, *cell);
         let name = text.shown(cell.clone());
-        let column = column(&name, axes)
-            .map_err(|(found, expected)| Problem::new(cell.start, found, expected))?;
+        let column = column(&name, axes).map_err(|expected| {
+            Problem::new(
+                cell.start,
+                text!("the column {name}", name = &name),
+                expected,
+            )
+        })?;
         let same = |other: &Option<(Quantity, f64)>| {
             other.zip(column).is_some_and(|((a, _), (b, _))| a == b)
         };
@@ -130,18 +129,13 @@ fn content(text: &Text, cell: Cell) -> Range<usize> {
     }
 }
 
-/// What a heading means; an error says what is there and what was expected.
-fn column(
-    name: &str,
-    axes: &Axes,
-) -> Result<Option<(Quantity, f64)>, (crate::text::Text, crate::text::Text)> {
-    use crate::text::Text;
-
+/// What a heading means; an error says what was expected.
+fn column(name: &str, axes: &Axes) -> Result<Option<(Quantity, f64)>, crate::text::Text> {
     let (quantity, unit) = match Heading::read(name) {
         Heading::Known(quantity, unit) => (quantity, unit),
         // A slip in the name of a joint value would leave a target as it is.
         Heading::Unknown { hint: Some(hint) } if name.starts_with('q') => {
-            return Err((Text::verbatim(name), Text::verbatim(hint)));
+            return Err(crate::text::Text::verbatim(hint));
         }
         Heading::Unknown { .. } => return Ok(None),
     };
@@ -154,13 +148,7 @@ fn column(
         _ => return Ok(None),
     };
     if joint >= axes.joints() {
-        return Err((
-            text!("joint {joint} does not exist", joint = joint + 1),
-            text!(
-                "a joint of the robot, from 1 to {kinds}",
-                kinds = axes.joints()
-            ),
-        ));
+        return Err(text!("joints 1 to {joints}", joints = axes.joints()));
     }
     let fits = match unit {
         Unit::Angle(_) => axes.kind(joint) == JointKind::Revolute,
@@ -170,14 +158,12 @@ fn column(
     if fits {
         Ok(Some((quantity, unit.factor())))
     } else {
-        Err((Text::verbatim(name), joint_column(joint, axes)))
+        Err(text!(
+            "q{joint}_{unit}",
+            joint = joint + 1,
+            unit = axes.kind(joint).unit()
+        ))
     }
-}
-
-/// The heading of a joint's values.
-fn joint_column(joint: usize, axes: &Axes) -> crate::text::Text {
-    let unit = axes.kind(joint).unit();
-    crate::text::Text::verbatim(format!("q{}_{unit}", joint + 1))
 }
 
 struct Table<'x> {
@@ -192,7 +178,6 @@ struct Table<'x> {
 }
 
 const POSITION: [Quantity; 3] = [Quantity::X, Quantity::Y, Quantity::Z];
-const ORIENTATION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 
 impl Table<'_> {
     /// The column of a quantity and its unit.
@@ -207,17 +192,18 @@ impl Table<'_> {
 
     /// Checks that the columns make targets, and says what they are.
     fn layout(&self, at: usize) -> Result<Program, Problem> {
-        let lacks = |name: crate::text::Text, expected: crate::text::Text| {
-            Err(Problem::new(at, text!("no column {name}", name), expected))
-        };
+        let wrong =
+            |found: crate::text::Text, expected: Template| Err(Problem::new(at, found, expected));
         let mut program = Program::default();
         let places = POSITION.map(|quantity| self.of(quantity));
         if self.is_of_joints() {
             for joint in 0..self.axes.joints() {
                 if self.of(Quantity::Commanded(joint)).is_none() {
-                    let joints = self.axes.joints();
-                    let expected = text!("{joints}, one for each joint", joints);
-                    return lacks(joint_column(joint, self.axes), expected);
+                    let name = format!("q{}_{}", joint + 1, self.axes.kind(joint).unit());
+                    return wrong(
+                        text!("no column {name}", name),
+                        phrase!("one for each joint"),
+                    );
                 }
             }
             if places.iter().any(Option::is_some) {
@@ -230,33 +216,26 @@ impl Table<'_> {
         }
         for (place, name) in places.iter().zip(["x_mm", "y_mm", "z_mm"]) {
             if place.is_none() {
-                return lacks(crate::text::Text::verbatim(name), headings());
+                let expected = phrase!("q1_deg, … or x_mm, y_mm, z_mm with qw, qx, qy, qz");
+                return wrong(text!("no column {name}", name), expected);
             }
         }
-        let is_missing = |k: &usize| self.of(Quantity::Orientation(*k)).is_none();
-        let missing: Vec<usize> = (0..4).filter(is_missing).collect();
-        match missing[..] {
-            [0, 1, 2, 3] if self.axes.joints() <= 3 => Ok(program),
-            [] => Ok(program),
-            [0, 1, 2, 3] => lacks(
-                crate::text::Text::verbatim(ORIENTATION[0]),
-                text!("an orientation, for a robot with more than three joints"),
+        let turns = (0..4).filter(|k| self.of(Quantity::Orientation(*k)).is_some());
+        match turns.count() {
+            4 => Ok(program),
+            0 if self.axes.joints() <= 3 => Ok(program),
+            0 => wrong(
+                text!("positions without qw, qx, qy, qz"),
+                phrase!("an orientation, for a robot with more than three joints"),
             ),
-            [first, ..] => lacks(
-                crate::text::Text::verbatim(ORIENTATION[first]),
-                crate::text::Text::verbatim(ORIENTATION.join(", ")),
-            ),
+            _ => wrong(text!("an orientation in part"), phrase!("qw, qx, qy, qz")),
         }
     }
 
     fn target(&self, number: usize, row: &Row) -> Result<Target, Problem> {
         if row.cells.len() != self.columns.len() {
             let found = text!(one "{count} cell", "{count} cells", count = row.cells.len());
-            let expected = text!(
-                one "{count} cell, one for each heading",
-                "{count} cells, one for each heading",
-                count = self.columns.len()
-            );
+            let expected = text!("{columns}, as in the heading", columns = self.columns.len());
             return Err(Problem::new(row.start, found, expected));
         }
         let number_at = |k: usize| self.number(content(self.text, row.cells[k]));
@@ -302,10 +281,11 @@ impl Table<'_> {
                 Quantity::Direction(joint) => {
                     let value = number_at(k)?;
                     if ![-1.0, 0.0, 1.0].contains(&value.value) {
-                        let found = format!("dir{} {}", joint + 1, value.value);
+                        let found =
+                            text!("dir{joint} {value}", joint = joint + 1, value = value.value);
                         return Err(Problem::new(
                             value.range().start,
-                            crate::text::Text::verbatim(found),
+                            found,
                             text!("1, -1 or 0 (unknown)"),
                         ));
                     }
@@ -347,8 +327,8 @@ impl Table<'_> {
         };
         if frame.goal().is_none() {
             let at = frame.turn.first().map_or(row.start, |n| n.range().start);
-            let expected = text!("a length of {length}", length = 1);
-            return Err(Problem::new(at, text!("zero length"), expected));
+            let found = text!("zero length");
+            return Err(Problem::new(at, found, text!("an orientation")));
         }
         Ok(frame)
     }

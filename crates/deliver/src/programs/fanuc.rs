@@ -20,7 +20,7 @@ mod frames;
 mod positions;
 mod wording;
 
-use super::program::{moved_frame, not_in_numbers, stands};
+use super::program::not_in_numbers;
 use crate::kinematics::Pose;
 use nalgebra::UnitQuaternion;
 use std::ops::Range;
@@ -72,6 +72,7 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 }
 
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
+    axes.check_own("E1 to E3")?;
     let [attributes, tracks, moves, positions] = sections(text);
     let motion: Grammar = match Wording::of(text, attributes).map_err(|problem| vec![problem])? {
         Wording::English => |walk, words| motion(walk, words, |_| true),
@@ -81,18 +82,24 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         (positions, &POSITIONS, positions::position as _),
         (moves, &MOVES, motion),
     ];
-    walked(text, axes, &pieces, |walk| {
-        walk.program.declare_no_tool("UT 0");
-        if let Some(shoulder) = axes.shoulder_mm() {
-            walk.program.base_from_world =
-                Pose::from_parts(shoulder.into(), UnitQuaternion::identity());
-        }
-        frames::declare(&mut walk.program, text);
-        if !tracks.is_empty() {
-            let says = moved_frame("LINE_TRACK_SCHEDULE_NUMBER");
-            walk.set(MODE, Referred::Unknown(says));
-        }
-    })
+    walked(
+        text,
+        axes,
+        &pieces,
+        |walk| {
+            walk.program.declare_no_tool("UT 0");
+            if let Some(shoulder) = axes.shoulder_mm() {
+                walk.program.base_from_world =
+                    Pose::from_parts(shoulder.into(), UnitQuaternion::identity());
+            }
+            frames::declare(&mut walk.program, text);
+            if !tracks.is_empty() {
+                let says = text!("the program tracks a conveyor, which moves its frame");
+                walk.set(MODE, Referred::Unknown(says));
+            }
+        },
+        |spelled| text!("{spelled} is not in /POS, or not a target", spelled),
+    )
 }
 
 /// The lines of `/ATTR`, where a conveyor is named that the program tracks, the lines of `/MN`, and those of `/POS`.
@@ -167,10 +174,13 @@ fn motion(walk: &mut Walk, words: &Words, is_known: fn(&str) -> bool) -> Result<
     let by = first_of("inc offset tool_offset voffset").or(unknown);
     let mut mode = walk.held(MODE).clone();
     if first_of("coord").is_some() {
-        mode = Referred::Unknown(moved_frame("COORD"));
+        mode = Referred::Unknown(text!("another group moves its frame (COORD)"));
     }
     if first_of("rtcp").is_some() {
-        mode = Referred::Unknown(stands("RTCP"));
+        mode = Referred::Unknown(text!(
+            "the tool stands and the robot moves the part ({sign})",
+            sign = "RTCP"
+        ));
     }
     for (j, name) in own.iter().filter(|(j, _)| words.is_sign(j + 1, b'[')) {
         let j = *j;

@@ -12,6 +12,7 @@
 
 mod frames;
 
+use super::program::not_in_numbers;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -60,11 +61,18 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 }
 
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
+    axes.check_own("E1 to E6")?;
     let pieces = [(text.start()..text.bytes.len(), &DIALECT, statement as _)];
-    walked(text, axes, &pieces, |walk| {
-        walk.program.declare_no_tool("$nullframe");
-        walk.has_modules(data_lists(text));
-    })
+    walked(
+        text,
+        axes,
+        &pieces,
+        |walk| {
+            walk.program.declare_no_tool("$nullframe");
+            walk.has_modules(data_lists(text));
+        },
+        |spelled| not_in_numbers(spelled),
+    )
 }
 
 /// The data lists of a text that has several: each is that of the routine of its name and of those that follow it.
@@ -362,7 +370,8 @@ fn whole(
             if !(0.0..=255.0).contains(&value) || value.fract() != 0.0 {
                 let component = format!("{} {value}", key.to_uppercase());
                 let found = text!("{component} in {name}", component, name);
-                return Err(Problem::new(number.range().start, found, a_byte()));
+                let expected = text!("a whole number from 0 to 255");
+                return Err(Problem::new(number.range().start, found, expected));
             }
             #[allow(
                 clippy::cast_possible_truncation,
@@ -383,19 +392,15 @@ fn whole(
             let value = u32::from_str_radix(digits, base).ok();
             let value = value.filter(|value| *value <= 255);
             let Some((value, span)) = value.zip(words.span(range.start)) else {
+                let expected = text!("a binary number such as 'B010'");
                 let found = crate::text::Text::verbatim(spelled);
-                return Err(Problem::new(words.at(range.start), found, a_byte()));
+                return Err(Problem::new(words.at(range.start), found, expected));
             };
             let binary = if base == 2 { digits.len() } else { 0 };
             Ok(Some((value, span, binary)))
         }
         _ => Ok(None),
     }
-}
-
-/// What S and T have to be.
-fn a_byte() -> crate::text::Text {
-    text!("a whole number from 0 to 255, such as 2 or 'B010'")
 }
 
 /// Whether values of a type are poses, or axes; `None`: no targets.

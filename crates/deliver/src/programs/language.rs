@@ -16,8 +16,6 @@ pub struct Language {
     pub extensions: &'static [&'static str],
     /// How it writes an orientation, and how six numbers of a tool or a frame are meant for it.
     pub orientation: Orientation,
-    /// Whether it has room for these axes; an error says what it has not.
-    pub(super) fits: fn(&Axes) -> Result<(), Problem>,
     /// Whether a file looks like it.
     pub(super) looks_like: fn(&[u8]) -> bool,
     pub(super) read: fn(&Text, &Axes) -> Result<Program, Vec<Problem>>,
@@ -38,12 +36,11 @@ impl Language {
         if let Some(problem) = text.unreadable() {
             return Err(text.rejected(vec![problem], file));
         }
-        let fits = (self.fits)(axes).map_err(|problem| vec![problem]);
-        fits.and_then(|()| (self.read)(&text, axes))
-            .map_err(|mut problems| {
-                problems.sort_by_key(|problem| problem.at);
-                text.rejected(problems, file)
-            })
+        let program = (self.read)(&text, axes).map_err(|mut problems| {
+            problems.sort_by_key(|problem| problem.at);
+            text.rejected(problems, file)
+        })?;
+        Ok(program)
     }
 }
 

@@ -26,7 +26,6 @@ mod fanuc;
 mod frames;
 mod krl;
 mod language;
-mod languages;
 mod measuring_list;
 mod number;
 mod pose;
@@ -51,7 +50,6 @@ pub use answer::{Answer, Outcome, Reason, SkippedTarget, Written};
 pub use axes::{Axes, Slot};
 pub use compensate::compensate;
 pub use language::Language;
-pub use languages::{LANGUAGES, find};
 pub use measuring_list::{measuring_list, measuring_program};
 pub use number::Number;
 pub use pose::{Frame, Orientation};
@@ -63,6 +61,55 @@ pub use request::{Beside, CompensateError, Request};
 pub use target::{Circumstances, Posture, Remark, Shape, Target};
 pub use text::Text;
 pub use write::{Stop, stops};
+
+/// Every language, in the order in which their looks are tried.
+pub const LANGUAGES: &[Language] = &[
+    Language {
+        id: "fanuc-ls",
+        title: "FANUC LS",
+        extensions: &["ls"],
+        orientation: Orientation::XyzFixedDegrees,
+        looks_like: fanuc::looks_like,
+        read: fanuc::read,
+    },
+    Language {
+        id: "krl",
+        title: "KRL",
+        extensions: &["src", "dat", "sub"],
+        orientation: Orientation::ZyxDegrees,
+        looks_like: krl::looks_like,
+        read: krl::read,
+    },
+    Language {
+        id: "rapid",
+        title: "RAPID",
+        extensions: &["mod", "modx", "sys", "sysx", "prg"],
+        orientation: Orientation::Quaternion,
+        looks_like: rapid::looks_like,
+        read: rapid::read,
+    },
+    Language {
+        id: "urscript",
+        title: "URScript",
+        extensions: &["script", "urscript"],
+        orientation: Orientation::RotationVector,
+        looks_like: urscript::looks_like,
+        read: urscript::read,
+    },
+    Language {
+        id: "csv",
+        title: "CSV",
+        extensions: &["csv", "tsv"],
+        orientation: Orientation::Quaternion,
+        looks_like: csv::looks_like,
+        read: csv::read,
+    },
+];
+
+/// The language of this name.
+pub fn find(id: &str) -> Option<&'static Language> {
+    LANGUAGES.iter().find(|language| language.id == id)
+}
 
 /// The file that is read with this one: the `.dat` of a `.src`, or the other way round, where it is there.
 pub fn beside(path: &std::path::Path, language: &Language) -> Option<std::path::PathBuf> {

@@ -40,7 +40,7 @@ pub struct Number {
 /// What was expected of bytes that do not look like a number.
 const A_NUMBER: Template = phrase!("a number");
 /// What was expected of one that overflows.
-const SMALLER: Template = phrase!("a number that a double can hold");
+const SMALLER: Template = phrase!("a number that is not larger than any machine");
 
 /// Digits that a pose carries at most; more are rounding.
 const MOST_DECIMALS: usize = 15;

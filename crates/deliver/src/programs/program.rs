@@ -114,22 +114,6 @@ impl Program {
     }
 }
 
-/// What is said of a tool that stands; `sign`: by what the file says so.
-pub(super) fn stands(sign: &str) -> Text {
-    text!(
-        "the tool stands and the robot moves the part ({sign})",
-        sign
-    )
-}
-
-/// What is said of a frame that does not stand.
-pub(super) fn moved_frame(command: &str) -> Text {
-    text!(
-        "its frame is moved by a conveyor, another group or an external axis ({command})",
-        command
-    )
-}
-
 /// What is said of a value that the file does not write out in numbers.
 pub(super) fn not_in_numbers(spelled: impl Into<Argument>) -> crate::text::Text {
     let spelled: Argument = spelled.into();

@@ -82,10 +82,15 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 }
 
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
+    axes.check_own("eax_a to eax_f")?;
     let pieces = [(text.start()..text.bytes.len(), &DIALECT, statement as _)];
-    walked(text, axes, &pieces, |walk| {
-        walk.program.declare_no_tool("tool0")
-    })
+    walked(
+        text,
+        axes,
+        &pieces,
+        |walk| walk.program.declare_no_tool("tool0"),
+        |spelled| not_in_numbers(spelled),
+    )
 }
 
 /// A declaration, a label, heads and ends of routines and blocks; anything else is an instruction.
@@ -371,7 +376,11 @@ fn goal(
 ) -> Result<(), Problem> {
     let at = words.at(k);
     if words.is_sign(k, b'*') {
-        walk.left(at, not_in_numbers(format!("{command} *")));
+        let says = text!(
+            "{command} goes to *, whose values are in the controller and not in the file",
+            command
+        );
+        walk.left(at, says);
     } else if words.is_sign(k, b'[') {
         let (list, behind) = words.list(k)?;
         if behind < end && !words.is_sign(behind, b'\\') {

@@ -80,7 +80,7 @@ impl<'a> Resolver<'a> {
             }
             Shape::Pose(frame) => {
                 let Some(goal) = frame.goal() else {
-                    return left(Reason::Unreachable, text!("zero length"));
+                    return left(Reason::Unreachable, text!("its orientation is not valid"));
                 };
                 let goal = target.placed.goal(&goal);
                 let q = self.solution(target, &goal)?;
@@ -133,7 +133,8 @@ impl<'a> Resolver<'a> {
         known.iter_mut().for_each(with_external);
         let all = self.inverse.all(goal, &fixed, &known);
         if all.is_empty() {
-            return nothing_reaches();
+            let says = text!("no joint values within the limits reach it");
+            return left(Reason::Unreachable, says);
         }
         let possible = self.as_stated(target, &all)?;
         // Solutions that differ by whole turns lead to the same ones.
@@ -153,7 +154,10 @@ impl<'a> Resolver<'a> {
         near: Option<&[f64]>,
     ) -> Result<Vec<f64>, SkippedTarget> {
         let Some(near) = near else {
-            return left(Reason::Ambiguous, several_reach());
+            let says = text!(
+                "several joint values reach it, and no earlier target determines which: --start says where the robot comes from"
+            );
+            return left(Reason::Ambiguous, says);
         };
         let Some(q) = self.inverse.from_start(goal, near) else {
             let says = text!("no solution near the previous target reaches it");
@@ -218,9 +222,12 @@ impl<'a> Resolver<'a> {
             possible = self.with_fewest_turns(possible);
         }
         let says = match (&possible[..], near) {
-            ([], _) => return nothing_reaches(),
             ([only], _) => return Ok(only.clone()),
-            (_, None) => several_reach(),
+            (_, None) => {
+                text!(
+                    "several joint values reach it, and no earlier target determines which: --start says where the robot comes from"
+                )
+            }
             ([first, second, ..], Some(near)) => {
                 let far = |q: &[f64]| self.inverse.distance(q, near);
                 if far(second) > AS_NEAR * far(first) {
@@ -228,28 +235,14 @@ impl<'a> Resolver<'a> {
                 }
                 text!("two sets of joint values reach it that are as near to the target before")
             }
+            ([], Some(_)) => text!("no joint values reach it"),
         };
-        if is_singular(self.robot, &possible[0], &self.free) {
-            return left(Reason::Singular, singular());
+        if !possible.is_empty() && is_singular(self.robot, &possible[0], &self.free) {
+            let says = text!("it is singular: lines of joint values reach it");
+            return left(Reason::Singular, says);
         }
         left(Reason::Ambiguous, says)
     }
-}
-
-fn nothing_reaches<T>() -> Result<T, SkippedTarget> {
-    let says = text!("no joint values within the limits reach it");
-    left(Reason::Unreachable, says)
-}
-
-fn several_reach() -> Text {
-    text!(
-        "several joint values reach it, and no earlier target determines which: --start says where the robot comes from"
-    )
-}
-
-/// What is said of a position where joints move far for a small correction.
-pub(super) fn singular() -> Text {
-    text!("its position is singular: a small correction would take a large move of the joints")
 }
 
 pub(super) fn left<T>(reason: Reason, says: Text) -> Result<T, SkippedTarget> {

@@ -2,7 +2,6 @@
 
 use crate::kinematics::{Pose, Robot, RobotSource, robot_from_dh};
 use crate::model::Calibration;
-use crate::numeric::shortened;
 use crate::text::Text as Sentence;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -163,30 +162,32 @@ fn taken_for_others(
 ) -> Vec<Sentence> {
     let turns = request.language.orientation;
     let mut notes = Vec::new();
-    let in_place_of = |name: &str, own: &Pose, given: &Pose| {
-        text!(
-            "the poses are read with {given}, and not with the program's {name} ({own})",
-            given = in_words(given, turns),
-            name,
-            own = in_words(own, turns)
-        )
-    };
     for (name, (_, pose)) in tools {
+        let own = in_words(pose, turns);
         match request.frames.tool {
             Precedence::Model if !same(pose, model) => notes.push(text!(
                 "the program's tool {name} ({pose}) is taken for the model's",
                 name,
-                pose = in_words(pose, turns)
+                pose = own
             )),
-            Precedence::Given(given) if !same(pose, &given) => {
-                notes.push(in_place_of(name, pose, &given));
-            }
+            Precedence::Given(given) if !same(pose, &given) => notes.push(text!(
+                "the poses are taken of the tool {tool} and not of the program's {name} ({pose})",
+                tool = in_words(&given, turns),
+                name,
+                pose = own
+            )),
             _ => {}
         }
     }
     for (name, (_, pose)) in frames {
-        let all = all_frames.filter(|all| !same(pose, all));
-        notes.extend(all.map(|all| in_place_of(name, pose, &all)));
+        if let Some(all) = all_frames.filter(|all| !same(pose, all)) {
+            notes.push(text!(
+                "the poses are taken in the frame {frame} and not in the program's {name} ({own})",
+                frame = in_words(&all, turns),
+                name,
+                own = in_words(pose, turns)
+            ));
+        }
     }
     notes
 }
@@ -362,13 +363,20 @@ fn depends_on_load(calibration: &Calibration, most_kg: f64) -> bool {
 }
 
 /// A pose as a person types it for a language: mm, and its own angles or a quaternion.
-pub(super) fn in_words(pose: &Pose, orientation: Orientation) -> String {
+fn in_words(pose: &Pose, orientation: Orientation) -> String {
     let at = pose.translation.vector;
-    let [x, y, z] = [at.x, at.y, at.z].map(|v| shortened(v, 3));
+    let [x, y, z] = [at.x, at.y, at.z].map(|v| short(v, 3));
     let (names, turn, unit) = orientation.numbers(pose);
     let decimals = if unit == "°" { 4 } else { 6 };
     let turn = names.iter().zip(turn);
-    let turn = turn.map(|(name, v)| format!("{name} {}{unit}", shortened(v, decimals)));
+    let turn = turn.map(|(name, v)| format!("{name} {}{unit}", short(v, decimals)));
     let turn: Vec<String> = turn.collect();
     format!("X {x}, Y {y}, Z {z} mm, {}", turn.join(", "))
+}
+
+/// A number without zeros at its end.
+fn short(value: f64, decimals: usize) -> String {
+    let text = format!("{:.decimals$}", value + 0.0);
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0" } else { text }.to_owned()
 }

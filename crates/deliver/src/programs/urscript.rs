@@ -9,7 +9,7 @@
 //! A pose has no configuration; `get_inverse_kin(p[…], [near])` says one.
 
 use super::program::not_in_numbers;
-use crate::kinematics::Pose;
+use crate::kinematics::{JointKind, Pose};
 
 use super::axes::Axes;
 use super::number::Number;
@@ -54,8 +54,19 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 }
 
 pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
+    if (0..axes.joints()).any(|j| axes.kind(j) == JointKind::Prismatic) {
+        let found = text!("a model with a sliding joint");
+        let expected = text!("turning joints, which URScript gives in rad");
+        return Err(vec![Problem::new(0, found, expected)]);
+    }
     let pieces = [(text.start()..text.bytes.len(), &DIALECT, statement as _)];
-    walked(text, axes, &pieces, |_| {})
+    walked(
+        text,
+        axes,
+        &pieces,
+        |_| {},
+        |spelled| not_in_numbers(spelled),
+    )
 }
 
 fn statement(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
@@ -104,8 +115,8 @@ fn assignment(walk: &mut Walk, words: &Words, k: usize, scope: &str) -> Result<(
     walk.constant(&constant(pose, &name), Constant::List(values));
     if !walk.is_gone_to(&name) {
         if pose && walk.is_told(&name) {
-            let name = text!("no motion of this file goes to it");
-            walk.left(at, text!("{found}: {name}", found = words.spelled(k), name));
+            let says = text!("{name} is a pose that no move of this file uses", name);
+            walk.left(at, says);
         }
         return Ok(());
     }
@@ -113,8 +124,8 @@ fn assignment(walk: &mut Walk, words: &Words, k: usize, scope: &str) -> Result<(
         Ok(target) => walk.value(&name, None, target),
         Err(problem) => {
             // A list that is no target of a move after all.
-            let says = text!("{found}: {name}", found = name, name = problem.found);
-            walk.left(at, says);
+            let found = problem.found;
+            walk.left(at, text!("{name} is not corrected: {found}", name, found));
         }
     }
     Ok(())
@@ -324,7 +335,7 @@ fn target(
             orientation: Orientation::RotationVector,
         })),
         _ if pose => {
-            let found = text!(one "{count} number", "{count} numbers", count);
+            let found = text!(one "a list of {count} number", "a list of {count} numbers", count);
             return Err(Problem::new(
                 at,
                 found,
@@ -337,8 +348,8 @@ fn target(
             decimals: 7,
         },
         _ => {
-            let found = text!(one "{count} number", "{count} numbers", count);
-            let expected = text!("{joints}, one for each joint", joints);
+            let found = text!(one "a list of {count} number", "a list of {count} numbers", count);
+            let expected = text!("{joints}, one for each joint of the model", joints);
             return Err(Problem::new(at, found, expected));
         }
     };

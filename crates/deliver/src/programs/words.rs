@@ -88,8 +88,8 @@ pub(super) fn statements(
         if words.len() > LONGEST_STATEMENT {
             let most = LONGEST_STATEMENT;
             let found = text!("a statement of more than {most} words", most);
-            let expected = text!("at most {most}", most);
-            return each(Err(Problem::new(words.at(0), found, expected)));
+            let problem = Problem::new(words.at(0), found, text!("one that ends"));
+            return each(Err(problem));
         }
         next = token(bytes, at, dialect);
         let follows = next.as_ref().ok().and_then(Option::as_ref);
@@ -192,8 +192,8 @@ fn string_end(bytes: &[u8], at: usize) -> Result<usize, Problem> {
             end += 1;
         }
     }
-    let found = text!("a quote that is not closed");
-    let expected = crate::text::Text::verbatim(char::from(quote));
+    let found = text!("a string that does not end on its line");
+    let expected = text!("{char} at its end", char = char::from(quote));
     Err(Problem::new(at, found, expected))
 }
 
@@ -281,12 +281,6 @@ impl Value {
 
 /// Lists in lists that a target or an array of targets needs, and some more.
 const DEEPEST: usize = 16;
-
-/// That blocks or lists are in each other deeper than any program has them.
-pub(super) fn too_deep(at: usize, most: usize) -> Problem {
-    let found = text!("more than {most} levels of nesting", most);
-    Problem::new(at, found, text!("at most {most}", most))
-}
 
 impl<'t> Words<'t, '_> {
     fn push(&mut self, token: Token) {
@@ -481,7 +475,12 @@ impl<'t> Words<'t, '_> {
             parts: Vec::new(),
         };
         if depth > DEEPEST {
-            return Err(too_deep(list.at, DEEPEST));
+            let found = text!("blocks in blocks");
+            return Err(Problem::new(
+                list.at,
+                found,
+                text!("at most {most} deep", most = DEEPEST),
+            ));
         }
         let mut k = k + 1;
         if keyed && self.is_sign(k + 1, b':') {

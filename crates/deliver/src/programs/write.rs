@@ -6,12 +6,11 @@
 
 use std::fmt::Write as _;
 
-use crate::kinematics::Robot;
+use crate::kinematics::{JointKind, Robot};
 use crate::refusal::Refusal;
 use crate::units::LARGEST_NUMBER;
 
-use super::axes::{Axes, Slot};
-use super::languages::find;
+use super::axes::{Axes, MOST_OWN, Slot};
 
 /// Time at a stop before and while an instrument measures, s.
 const WAIT_S: f64 = 3.0;
@@ -49,45 +48,59 @@ pub fn stops(
             joints
         )));
     }
-    if let Some(language) = find(language) {
-        (language.fits)(&axes).map_err(|wrong| {
-            Refusal(text!(
-                "{found}; expected {expected}",
-                found = wrong.found,
-                expected = wrong.expected
-            ))
-        })?;
-    }
+    let own = |language| match axes.own() {
+        axes if axes > MOST_OWN => Err(Refusal(text!(
+            "{axes} axes of the robot's own; expected at most 6 for {language}, external ones are called E1 to E6 (eax_a to eax_f) in the robot's file",
+            axes,
+            language
+        ))),
+        _ => Ok(()),
+    };
     let program = match language {
-        "rapid" => LanguageWords {
-            head: "MODULE Measuring\n",
-            comment: "  ! ",
-            start: "  PROC measure()\n",
-            go: |axes, q| {
-                format!(
-                    "    MoveAbsJ {}\\NoEOffs, v100, fine, tool0;\n",
-                    jointtarget(axes, q)
-                )
-            },
-            wait: format!("    WaitTime {WAIT_S};\n"),
-            end: "  ENDPROC\nENDMODULE\n",
-        },
-        "krl" => LanguageWords {
-            head: "&ACCESS RVP\nDEF measuring( )\n",
-            comment: "; ",
-            start: "BAS(#INITMOV,0)\n",
-            go: |axes, q| format!("PTP {}\n", e6axis(axes, q)),
-            wait: format!("WAIT SEC {WAIT_S}\n"),
-            end: "END\n",
-        },
-        "urscript" => LanguageWords {
-            head: "def measuring():\n",
-            comment: "  # ",
-            start: "",
-            go: |_, q| format!("  movej({}, a=0.5, v=0.3)\n", list(q)),
-            wait: format!("  sleep({WAIT_S})\n"),
-            end: "end\n",
-        },
+        "rapid" => {
+            own("RAPID")?;
+            LanguageWords {
+                head: "MODULE Measuring\n",
+                comment: "  ! ",
+                start: "  PROC measure()\n",
+                go: |axes, q| {
+                    format!(
+                        "    MoveAbsJ {}\\NoEOffs, v100, fine, tool0;\n",
+                        jointtarget(axes, q)
+                    )
+                },
+                wait: format!("    WaitTime {WAIT_S};\n"),
+                end: "  ENDPROC\nENDMODULE\n",
+            }
+        }
+        "krl" => {
+            own("KRL")?;
+            LanguageWords {
+                head: "&ACCESS RVP\nDEF measuring( )\n",
+                comment: "; ",
+                start: "BAS(#INITMOV,0)\n",
+                go: |axes, q| format!("PTP {}\n", e6axis(axes, q)),
+                wait: format!("WAIT SEC {WAIT_S}\n"),
+                end: "END\n",
+            }
+        }
+        "urscript" => {
+            if robot.joints.iter().any(|j| j.kind == JointKind::Prismatic) {
+                return Err(Refusal(text!(
+                    "{found}; expected {expected}",
+                    found = text!("a model with a sliding joint"),
+                    expected = text!("turning joints, which URScript gives in rad")
+                )));
+            }
+            LanguageWords {
+                head: "def measuring():\n",
+                comment: "  # ",
+                start: "",
+                go: |_, q| format!("  movej({}, a=0.5, v=0.3)\n", list(q)),
+                wait: format!("  sleep({WAIT_S})\n"),
+                end: "end\n",
+            }
+        }
         language => {
             return Err(Refusal(text!(
                 "no program of joint moves is written as {language}; expected csv, rapid, krl or urscript",

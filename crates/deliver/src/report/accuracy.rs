@@ -66,14 +66,18 @@ fn plots(standards: &Standards) -> impl Iterator<Item = Block> {
             sheet.height += drawing.height;
         };
         place(&chart(AxisStage::Measured, &capital(say!("as measured"))));
-        if series.corrected.is_some() {
-            let predicted = capital(say!("as predicted with the table"));
-            place(&chart(AxisStage::Predicted, &predicted));
-        }
-        let caption = say!(
-            "Deviation over the position of {axis}, a line for each run: whole in positive, dashed in negative direction; the scales differ",
-            axis = clean(&axis.name)
-        );
+        let caption = if series.corrected.is_some() {
+            place(&chart(AxisStage::Predicted, say!("As predicted with the table")));
+            say!(
+                "Deviation over the position of {axis}, a line for each run: whole in positive, dashed in negative direction. The thick line is what the table corrects, with its 95 % interval; the scales differ",
+                axis = clean(&axis.name)
+            )
+        } else {
+            say!(
+                "Deviation over the position of {axis}, a line for each run: whole in positive, dashed in negative direction",
+                axis = clean(&axis.name)
+            )
+        };
         Some(Block::Plot(sheet, caption))
     })
 }

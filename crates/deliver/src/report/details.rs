@@ -12,11 +12,12 @@ use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::document::kinds::{TEXT, positive};
 use crate::document::object::{Kind, Object, written};
 use crate::document::{Fields, Value, text_of};
-use crate::guard::below;
-use crate::sessions::files::open::{as_text, read_document};
+use crate::guard::{below, read_regular};
 
 /// What a document of this kind begins with.
 const FORMAT: &str = "truepose-details/1";
+/// Longest document, bytes.
+const MOST_BYTES: u64 = 1 << 20;
 
 /// A line of text: its key in a document, what it is called, and where it is.
 #[derive(Debug, Clone, Copy)]
@@ -72,9 +73,13 @@ impl Details {
     /// # Errors
     /// Everything that is wrong with it, each with its place.
     pub fn load(path: &FilePath) -> Result<Self, Rejected> {
-        let bytes = read_document(path)?;
         let place = Place::file(path);
-        Self::parse(place.clone(), as_text(&bytes, &place)?)
+        let expected = phrase!("a document with \"format\": \"truepose-details/1\"");
+        let refused =
+            |found: Text| Rejected::because(Diagnostic::error(Place::file(path), found, expected));
+        let bytes = read_regular(path, MOST_BYTES).map_err(|(found, _)| refused(found))?;
+        let text = String::from_utf8(bytes).map_err(|e| refused(Text::verbatim(e.to_string())))?;
+        Self::parse(place, text.strip_prefix('\u{feff}').unwrap_or(&text))
     }
 
     /// Reads the text of a document.
@@ -83,8 +88,9 @@ impl Details {
     /// As [`Details::load`].
     pub fn parse(place: Place, text: &str) -> Result<Self, Rejected> {
         let (mut fields, root) = Fields::open(place, text)?;
+        let expected = phrase!("report details: an object with the key \"format\"");
         let mut own = Self::default();
-        if let Some(mut at) = fields.of_format(&root, FORMAT) {
+        if let Some(mut at) = fields.of_format(&root, FORMAT, expected) {
             at.fill(&mut own, declare);
         }
         // A misspelt key would leave a line of the certificate empty without a word.

@@ -3,12 +3,17 @@
 
 use std::path::{Path, PathBuf};
 
+use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-use crate::diagnostic::{Place, Rejected};
+use crate::text::Text;
+
 use crate::document::number::hexadecimal;
-use crate::document::{Fields, Value, optional};
-use crate::sessions::files::open::{as_text, read_document};
+use crate::guard::read_regular;
+use crate::refusal::Refusal;
+
+/// Longest table, bytes.
+const MOST_BYTES: u64 = 256 << 20;
 
 /// A table file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -32,29 +37,43 @@ impl ExportedTable {
     ///
     /// # Errors
     /// If one of the two cannot be read, or the sidecar is not `truepose-table/1`.
-    pub fn read(path: &Path) -> Result<Self, Rejected> {
-        let bytes = read_document(path)?;
+    pub fn read(path: &Path) -> Result<Self, Refusal> {
+        let refuse = |path: &Path, says: Text| {
+            Refusal(Text::listed(
+                [Text::verbatim(path.display().to_string()), says],
+                ": ",
+            ))
+        };
+        let read =
+            |path: &Path| read_regular(path, MOST_BYTES).map_err(|(found, _)| refuse(path, found));
+        let bytes = read(path)?;
         let sidecar = sidecar_of(path);
-        let text = read_document(&sidecar)?;
-        let place = Place::file(&sidecar);
-        let (mut fields, root) = Fields::open(place.clone(), as_text(&text, &place)?)?;
-        let is_one = fields.of_format(&root, "truepose-table/1").map(|_| ());
-        fields.finish(is_one)?;
-        let members = match &root.value {
-            Value::Object(members) => members.as_slice(),
-            _ => &[],
+        let text = read(&sidecar)?;
+        let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&text);
+        let at = |line: usize, column: usize, says: Text| {
+            refuse(
+                &sidecar,
+                text!("line {line}, column {column}: {says}", line, column, says),
+            )
         };
-        let word = |key: &str| match optional(members, key).map(|node| &node.value) {
-            Some(Value::Text(text)) => text.clone(),
-            Some(Value::Number(number)) => format!("{number} "),
-            _ => String::new(),
-        };
-        let name = path.file_name().unwrap_or_default();
+        let meta: Value = serde_json::from_slice(text).map_err(|e| {
+            let says = text!("expected JSON: {error}", error = e.to_string());
+            at(e.line(), e.column(), says)
+        })?;
+        if meta["format"] != "truepose-table/1" {
+            return Err(at(1, 1, text!("expected \"format\": \"truepose-table/1\"")));
+        }
+        let word = |key: &str| meta[key].as_str().unwrap_or_default().to_owned();
+        let joint = meta["joint"]
+            .as_u64()
+            .map_or_else(String::new, |j| format!("{j} "));
         Ok(Self {
-            name: name.to_string_lossy().into_owned(),
+            name: path
+                .file_name()
+                .map_or_else(String::new, |n| n.to_string_lossy().into_owned()),
             hash: hexadecimal(&Sha256::digest(&bytes)),
             format: word("table_format"),
-            joint: format!("{}({})", word("joint"), word("joint_name")),
+            joint: format!("{joint}({})", word("joint_name")),
             model_hash: word("model_hash"),
             samples_hash: word("samples_hash"),
         })

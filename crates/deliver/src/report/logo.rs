@@ -59,13 +59,12 @@ impl Logo {
         let mut reader = decoder.read_info().map_err(no_png)?;
         let info = reader.info();
         let size = [info.width, info.height];
-        let [width, height] = size;
-        let too_large = || text!("{width} × {height} pixels", width, height);
         if size.iter().any(|side| *side > MOST_PIXELS) {
-            return Err(too_large());
+            let [width, height] = size;
+            return Err(text!("{width} × {height} pixels", width, height));
         }
         let length = reader.output_buffer_size();
-        let mut pixels = vec![0; length.ok_or_else(too_large)?];
+        let mut pixels = vec![0; length.ok_or_else(|| text!("too many pixels"))?];
         let frame = reader.next_frame(&mut pixels).map_err(no_png)?;
         pixels.truncate(frame.buffer_size());
         let rgb = pixels

@@ -30,7 +30,8 @@ pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, Str
             about += &format!(", {travel}");
         }
         if let Some(measured) = measured.get(k).filter(|r| r.from.is_finite()) {
-            about += &format!(", {}: {}", say!("measured"), range(measured));
+            let measured = say!("measured {range}", range = range(measured));
+            about += &format!(", {measured}");
         }
         facts.push((capital(&say!("joint {joint}", joint = k + 1)), about));
     }
@@ -52,7 +53,7 @@ pub(super) fn instrument(instrument: &Instrument) -> String {
         Sigma::PerAxis(along_axes) => along_axes.map(short).join(", "),
     });
     let noise = match sigma {
-        None => format!("{}: {}", say!("noise"), say!("not given")),
+        None => say!("noise not stated").to_owned(),
         Some(sigma) => say!("noise {sigma} mm (one standard deviation)", sigma),
     };
     format!("{}, {noise}", or_unnamed(&instrument.name))
@@ -147,7 +148,7 @@ pub(super) fn tolerance(tolerance_mm: Option<f64>) -> (String, String) {
     fact(
         capital(say!("tolerance")),
         tolerance_mm.map_or_else(
-            || say!("not given").to_owned(),
+            || say!("not stated").to_owned(),
             |mm| format!("{} mm", short(mm)),
         ),
     )

@@ -203,7 +203,7 @@ impl ReportContext<'_> {
             figure(
                 say!("RMS error, nominal robot"),
                 mm(d.gap.start_mm),
-                format!("{}: {}", say!("largest"), mm(v.nominal.max_mm)),
+                say!("largest {size}", size = mm(v.nominal.max_mm)),
             ),
             if self.other.is_some() {
                 let all = format!(
@@ -290,7 +290,7 @@ impl ReportContext<'_> {
             ),
         ));
         facts.push(fact(
-            say!("Reported by"),
+            say!("Program"),
             format!("truepose {}", env!("CARGO_PKG_VERSION")),
         ));
         facts.push(fact(say!("Hash of robot and samples"), hash));
@@ -316,7 +316,7 @@ impl ReportContext<'_> {
             return text;
         }
         text += "; ";
-        text += if z { "x, y, z" } else { "x, y" };
+        text += if z { "x, y, z" } else { say!("x, y only") };
         text
     }
 
@@ -337,7 +337,7 @@ impl ReportContext<'_> {
             }
         };
         let value = |column: Option<&Vec<f64>>, unit: &str| {
-            column.map_or_else(|| say!("not known").to_owned(), |c| range(c, unit))
+            column.map_or_else(|| say!("not recorded").to_owned(), |c| range(c, unit))
         };
         [
             (say!("load"), &samples.load_kg, "kg"),
@@ -427,12 +427,11 @@ impl ReportContext<'_> {
     fn remarks(&self) -> Vec<String> {
         let (d, v) = (self.found, self.verification);
         let how = cleaned(&d.held_out.how);
-        let mut remarks = vec![format!("{}: {how}", say!("Cross-validation"))];
+        let mut remarks = vec![say!("cross-validation: {how}", how)];
         if let Some(c) = v.compensated {
-            remarks.push(format!(
-                "{}: {}",
-                capital(say!("not correctable by joint commands")),
-                mm(c.cannot_be_removed_by_joints_mm)
+            remarks.push(say!(
+                "not correctable by joint commands: {size}",
+                size = mm(c.cannot_be_removed_by_joints_mm)
             ));
             let range = measured_poses(&Job::new(self.calibration, ""));
             let inputs = Inputs::new(self.session, JointValues::Commanded);

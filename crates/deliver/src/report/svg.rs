@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 
 use super::escape::escape;
-use crate::numeric::shortened;
 use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, OVERLAP, Stroke};
 
 /// A file of its own: with the name of its language, and a font that most machines have.
@@ -163,7 +162,13 @@ pub(super) fn number(value: f64) -> String {
     if !value.is_finite() {
         return "0".to_owned();
     }
-    shortened(value, 2)
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
 }
 
 #[cfg(test)]

@@ -49,10 +49,7 @@ impl Fixed {
                 .iter()
                 .map(|t| text!("reflector {name}", name = t)),
         );
-        parts.extend(self.load_kg.map(|kg| {
-            let load = format!("{kg} kg");
-            text!("{found}: {name}", found = text!("load"), name = load)
-        }));
+        parts.extend(self.load_kg.map(|kg| text!("load {load} kg", load = kg)));
         if let Some(speed) = self.speed.filter(|v| *v != 0.0) {
             parts.push(text!(
                 "measured at {speed}",

@@ -144,6 +144,16 @@ fn axis(
     }
 }
 
+/// At least so many times, in words.
+pub fn at_least(times: usize) -> Text {
+    match times {
+        0 => text!("never"),
+        1 => text!("once or more"),
+        2 => text!("twice or more"),
+        many => text!("{many} times or more", many),
+    }
+}
+
 fn moving(session: &Session) -> bool {
     let speeds = session.samples.speed.iter().flatten().flatten();
     speeds.into_iter().any(|v| *v != 0.0 && !v.is_nan())

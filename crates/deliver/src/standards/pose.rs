@@ -122,25 +122,30 @@ impl PoseTest {
         for group in keys.groups(inputs.len(), |i| points.usable[i] && !on_paths[i]) {
             test.add(points, &once_per_stay(&group, &stays));
         }
-        let on_paths = test.paths.iter().map(|p| p.starts.len()).min();
-        let at_poses = test.poses.iter().map(|p| p.cycles).min();
-        for (figures, fewest, standard) in [
-            ("AT, RT", on_paths, PATH_CYCLES),
-            ("AP, RP", at_poses, STANDARD_CYCLES),
-        ] {
-            if let Some(fewest) = fewest.filter(|fewest| *fewest < standard) {
-                test.missing.push(text!(
-                    "{figures}: as few as {fewest} cycles; the standard asks for {standard}",
-                    figures,
-                    fewest,
-                    standard
-                ));
-            }
+        let cycles = test.paths.iter().map(|p| p.starts.len());
+        if let Some(fewest) = cycles.min().filter(|n| *n < PATH_CYCLES) {
+            test.missing.push(text!(
+                "paths with as few as {fewest} cycles; the standard asks for {standard}",
+                fewest,
+                standard = PATH_CYCLES
+            ));
         }
-        if test.poses.is_empty() {
+        if test.poses.is_empty() && !test.paths.is_empty() {
+            test.missing
+                .push(text!("no pose apart from the paths was reached twice"));
+        } else if test.poses.is_empty() {
             test.missing.push(text!(
                 "no pose was reached twice from the same direction, after another pose"
             ));
+        } else {
+            let fewest = test.poses.iter().map(|p| p.cycles).min().unwrap_or(0);
+            if fewest < STANDARD_CYCLES {
+                test.missing.push(text!(
+                    "poses with as few as {fewest} cycles; the standard asks for {standard}",
+                    fewest,
+                    standard = STANDARD_CYCLES
+                ));
+            }
         }
         if inputs.dir.iter().any(Option::is_none) {
             test.missing.push(text!(

@@ -82,7 +82,7 @@ impl TestCube {
     pub fn of(robot: &Robot) -> Result<Self, Refusal> {
         if robot.joints.len() > MOST_JOINTS {
             return Err(Refusal(text!(
-                "a robot with {joints} joints; poses are planned for at most {most}",
+                "a robot with {joints} joints; poses are looked for with at most {most}",
                 joints = robot.joints.len(),
                 most = MOST_JOINTS
             )));

@@ -14,8 +14,12 @@ pub struct Cursor<'o, 'a> {
 
 impl<'a> Fields<'a> {
     /// A document of this format that is about to be read; `None` when it is of another one.
-    pub fn of_format<'o>(&'o mut self, root: &'o Node, format: &str) -> Option<Cursor<'o, 'a>> {
-        let expected = text!("a document with \"format\": \"{format}\"", format);
+    pub fn of_format<'o>(
+        &'o mut self,
+        root: &'o Node,
+        format: &str,
+        expected: impl Into<Text>,
+    ) -> Option<Cursor<'o, 'a>> {
         let mut at = self.at(root, &Path::Root, expected);
         let members = at.members()?;
         let tag = Text::verbatim(format!("\"{format}\""));

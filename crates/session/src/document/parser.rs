@@ -9,7 +9,7 @@ use super::{Member, Node, Source, Value};
 use crate::diagnostic::{Diagnostic, Rejected};
 use crate::document::number::{ONCE, quoted};
 use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError, unwatched};
-use crate::text::Text;
+use crate::text::{Template, Text};
 
 /// No sound document nests deeper than this, and the stack is finite.
 const DEEPEST: i32 = 64;
@@ -214,14 +214,14 @@ impl Source<'_> {
                     "more than {most} levels of nesting",
                     most = DEEPEST as usize
                 );
-                let expected = text!("at most {most}", most = DEEPEST as usize);
+                let expected = phrase!("a session or a robot, which have fewer");
                 return Err(self.wrong(at, found, expected));
             }
         }
         Ok(())
     }
 
-    fn wrong(&self, at: usize, found: Text, expected: impl Into<Text>) -> ReadError {
+    fn wrong(&self, at: usize, found: Text, expected: Template) -> ReadError {
         Rejected::because(Diagnostic::error(self.place(at), found, expected)).into()
     }
 

@@ -82,12 +82,8 @@ impl Job<'_> {
                 if question.about == About::Columns {
                     diagnostic.expected = if are_commands {
                         text!(
-                            "{first} or {second}",
-                            first = text!("a header such as {header}", header),
-                            second = text!(
-                                "{option} with what each column is, for instance {option} name,x_mm,y_mm,z_mm,-",
-                                option = "--commands-columns"
-                            )
+                            "a header such as {header}, or --commands-columns with what each column is",
+                            header
                         )
                     } else {
                         text!("a header such as {header}", header)

@@ -17,7 +17,7 @@
 use crate::text::{Template, Text};
 use nalgebra::{Quaternion, Unit as Direction, UnitQuaternion, Vector3};
 
-use super::options::{EULER, EULER_OPTION};
+use super::options::EULER;
 use super::turns::Turn;
 use crate::importers::columns::Columns;
 use crate::importers::role::Role;
@@ -211,7 +211,7 @@ impl ReadContext<'_> {
             Some(Answer::Wrong) => {
                 self.refuse(
                     wrong_value(EULER, &self.reading.options[EULER]),
-                    EULER_OPTION.help,
+                    text!("an order of axes and whether they move, such as zyx-moving or xyz-fixed, or rotvec"),
                 );
             }
             None => {

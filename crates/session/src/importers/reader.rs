@@ -10,7 +10,7 @@ use crate::importers::options::{PLANE, SOCKET};
 use crate::importers::role::{Role, has};
 use crate::importers::settings::{About, ColumnGuess, Known, Question};
 use crate::importers::times::{Kinds, extent};
-use crate::importers::units::{AngleUnit, not_stated};
+use crate::importers::units::AngleUnit;
 use crate::importers::{euler, headings, joint_names, units};
 use crate::sessions::Lines;
 use crate::sessions::columns::{BESIDE_POINTS, Quantity, Unit};
@@ -148,7 +148,10 @@ impl<'a> ReadContext<'a> {
                 roles = roles.len(),
                 width
             );
-            self.refuse(found, text!("at most {most}", most = width));
+            self.refuse(
+                found,
+                text!("at most as many as the table has; - leaves one out"),
+            );
             return None;
         }
         roles.resize(width, Role::Left);
@@ -287,13 +290,13 @@ impl<'a> ReadContext<'a> {
             .collect();
         let named = units::of_preamble(&before, |unit| matches!(unit, Unit::Length(_)));
         let mut spread: f64 = 0.0;
-        let (mut lengths, mut angles, mut says_length) = (Vec::new(), Vec::new(), None);
+        let (mut lacks_length, mut lacks_angle, mut says_length) = (false, false, None);
         for (role, cells) in roles.iter().zip(cells) {
             match (role, cells) {
-                (Role::Turn(_, None), Some(_)) => angles.push(role.to_string()),
+                (Role::Turn(_, None), Some(_)) => lacks_angle = true,
                 (Role::Known(quantity, None), Some(Cells::Numbers(values))) => {
                     if position(*quantity) {
-                        lengths.push(role.to_string());
+                        lacks_length = true;
                         // How far joints travel says nothing of where the points are.
                         if !matches!(
                             quantity,
@@ -302,7 +305,7 @@ impl<'a> ReadContext<'a> {
                             spread = spread.max(extent(values));
                         }
                     } else {
-                        angles.push(role.to_string());
+                        lacks_angle = true;
                     }
                 }
                 (Role::Known(quantity, Some(unit)), _) if position(*quantity) => {
@@ -330,28 +333,28 @@ impl<'a> ReadContext<'a> {
         };
         if let Some(heading) = says_length {
             if let Some((unit, symbol)) = given
-                && lengths.is_empty()
+                && !lacks_length
                 && unit != heading
             {
                 self.another_unit(symbol, heading.suffix().unwrap_or_default());
             }
             self.found.unit = text!("from the headings");
         }
-        if !lengths.is_empty() && length.is_none() {
+        if lacks_length && length.is_none() {
             let says = text!(
-                "{found}: {name}",
-                found = not_stated(&lengths.join(", ")),
-                name = units::hint(spread, self.reading.reach_mm)
+                "the unit of {roles} is not stated: {reach_mm}",
+                roles = lengths_in_words(roles),
+                reach_mm = units::hint(spread, self.reading.reach_mm)
             );
             self.ask(About::Unit, says, &["mm", "m", "in"]);
-        } else if !lengths.is_empty() && given.is_none() {
+        } else if lacks_length && given.is_none() {
             self.note(text!("the unit is {unit}", unit = &self.found.unit));
         }
         let by_file = units::of_preamble(&before, |unit| matches!(unit, Unit::Angle(_)));
         let angle = self.reading.angle_unit.map(AngleUnit::unit);
         let angle = angle.or(by_file.map(|(_, unit)| unit));
-        if !angles.is_empty() && angle.is_none() {
-            let says = not_stated(&angles.join(", "));
+        if lacks_angle && angle.is_none() {
+            let says = text!("the unit of the angles is not stated");
             self.ask(About::AngleUnit, says, &["deg", "rad"]);
         }
         for role in roles {
@@ -435,6 +438,15 @@ fn joined([seconds, nanoseconds]: [usize; 2], cells: &mut [Option<Cells>]) {
         for (time, part) in whole.iter_mut().zip(parts) {
             *time += part;
         }
+    }
+}
+
+/// The lengths that a table has.
+fn lengths_in_words(roles: &[Role]) -> Text {
+    if has(roles, Quantity::Distance) && !has(roles, Quantity::X) {
+        text!("the distances")
+    } else {
+        Text::verbatim("x, y, z")
     }
 }
 

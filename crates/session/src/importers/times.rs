@@ -7,7 +7,7 @@ use super::clock_text::{self, Clock};
 use super::columns::below;
 use super::role::Role;
 use super::settings::{About, ReadContext};
-use super::units::{TimeUnit, not_stated};
+use super::units::TimeUnit;
 use crate::diagnostic::Diagnostic;
 use crate::document::number::quoted;
 use crate::numeric;
@@ -197,9 +197,9 @@ impl ReadContext<'_> {
         }
         let answers: Vec<&str> = answers.into_iter().map(TimeUnit::symbol).collect();
         let says = text!(
-            "{found}: {name}",
-            found = not_stated(&quoted(heading)),
-            name = hint
+            "the unit of the times {heading} is not stated: {hint}",
+            heading = quoted(heading),
+            hint
         );
         self.ask(About::TimeUnit, says, &answers);
         None

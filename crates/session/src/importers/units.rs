@@ -228,11 +228,6 @@ pub(crate) fn named_in_preamble(
         })
 }
 
-/// What is asked of columns whose headings say no unit.
-pub(crate) fn not_stated(columns: &str) -> Text {
-    text!("the unit of {columns} is not stated", columns)
-}
-
 /// What the answers would mean: how far the points spread in each unit, and which suits the robot.
 pub(crate) fn hint(spread: f64, reach_mm: Option<f64>) -> Text {
     let mm = |unit: LengthUnit| spread * unit.in_mm();

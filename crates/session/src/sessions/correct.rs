@@ -54,7 +54,7 @@ impl SessionCorrection {
                 joint = joint + 1,
                 angle = format!("{:.0}", by_rad.to_degrees())
             ),
-            Self::ScaleLengths(factor) => scaled_lengths(text!("coordinates"), *factor),
+            Self::ScaleLengths(factor) => scaled_lengths(text!("the coordinates"), *factor),
             Self::ScaleCoordinate { axis, factor } => scaled_coordinate(*axis, *factor),
             Self::Reorder([1, 0, 2]) => exchanged(Text::verbatim("x"), Text::verbatim("y")),
             Self::Reorder(order) => {
@@ -65,19 +65,18 @@ impl SessionCorrection {
             Self::Settle { .. } => text!("Take out what the instrument's distances settle by"),
             Self::StraightenSight(_) => text!("Take out what the lines of sight are bent by"),
             Self::TurnGravity(_) => text!("Take gravity as the joints feel it"),
-            Self::Remove(rows) => text!(
-                one "Remove {count} sample",
-                "Remove {count} samples",
-                count = rows.len()
-            ),
+            Self::Remove(rows) if rows.len() == 1 => text!("Remove this sample"),
+            Self::Remove(rows) => text!("Remove these {count} samples", count = rows.len()),
             Self::PairRows(_) => text!("Pair the rows again"),
             Self::ScaleSpeed { joint, factor } if *factor < 0.0 => reversed(speeds_of(*joint)),
             Self::ScaleSpeed { joint, factor } => multiplied(speeds_of(*joint), *factor),
-            Self::ScaleLoad(factor) if *factor < 1.0 => read_as(text!("load"), Text::verbatim("g")),
-            Self::ScaleLoad(factor) => multiplied(text!("load"), *factor),
+            Self::ScaleLoad(factor) if *factor < 1.0 => {
+                read_as(text!("the loads"), Text::verbatim("g"))
+            }
+            Self::ScaleLoad(factor) => multiplied(text!("the loads"), *factor),
             Self::ConvertTemperature { factor, .. } => {
                 let unit = if *factor < 1.0 { "°F" } else { "K" };
-                read_as(text!("temperature"), Text::verbatim(unit))
+                read_as(text!("the temperatures"), Text::verbatim(unit))
             }
             Self::ContinueClock(_) => text!("Continue the clock past midnight"),
             Self::WidenNoise(_) => text!("Count the digit as noise"),
@@ -94,7 +93,7 @@ impl SessionCorrection {
                 first = first + 1,
                 second = second + 1
             ),
-            Self::TurnDirections => reversed(text!("approach direction")),
+            Self::TurnDirections => reversed(text!("the directions of approach")),
             Self::TargetsWithin(sigma) => text!(
                 "Take the places of the targets as known to {sigma}",
                 sigma = length(*sigma, 2)
@@ -290,7 +289,7 @@ fn joint_called(joint: usize) -> Text {
 }
 
 fn speeds_of(joint: usize) -> Text {
-    text!("speed of joint {joint}", joint = joint + 1)
+    text!("the speeds of joint {joint}", joint = joint + 1)
 }
 
 fn exchanged(first: Text, second: Text) -> Text {

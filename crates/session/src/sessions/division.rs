@@ -2,7 +2,7 @@
 //! [`crate::sessions::regions`].
 
 use crate::kinematics::Range;
-use crate::numeric::{extent, shortened};
+use crate::numeric::extent;
 use crate::refusal::Refusal;
 use crate::sessions::{Region, Session};
 use crate::units::{deg_from_rad, rad_from_deg};
@@ -60,21 +60,29 @@ pub fn range_to_divide(session: &Session) -> Result<Range, Refusal> {
 
 /// Regions between neighbouring boundaries, named 1…N upwards.
 pub fn between(boundaries: &[f64]) -> Result<Vec<Region>, Refusal> {
-    let ascends = boundaries.windows(2).all(|pair| pair[0] < pair[1]);
-    if boundaries.len() < 2 || !ascends {
-        let degrees = boundaries
-            .iter()
-            .map(|rad| shortened(deg_from_rad(*rad), 6) + "°");
+    if boundaries.len() < 2 {
         return Err(Refusal(text!(
-            "region boundaries {boundaries}; expected at least two, in ascending order",
-            boundaries = degrees.collect::<Vec<_>>().join(", ")
+            one "{count} region boundary; expected at least two", "{count} region boundary; expected at least two",
+            count = boundaries.len()
         )));
     }
+    let degrees = |rad: f64| format!("{:.6}", deg_from_rad(rad));
     let pairs = boundaries.windows(2).enumerate();
-    let region = |(k, pair): (usize, &[f64])| Region {
-        name: (k + 1).to_string(),
-        from_rad: pair[0],
-        to_rad: pair[1],
-    };
-    Ok(pairs.map(region).collect())
+    pairs
+        .map(|(k, pair)| {
+            if pair[0] < pair[1] {
+                Ok(Region {
+                    name: (k + 1).to_string(),
+                    from_rad: pair[0],
+                    to_rad: pair[1],
+                })
+            } else {
+                Err(Refusal(text!(
+                    "region boundaries {first}° and {next}°; expected ascending numbers",
+                    first = degrees(pair[0]),
+                    next = degrees(pair[1])
+                )))
+            }
+        })
+        .collect()
 }

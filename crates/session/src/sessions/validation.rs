@@ -95,7 +95,7 @@ pub(super) fn sizes(session: &Session, file: &Place, findings: &mut Vec<Diagnost
             findings.push(Diagnostic::error(
                 file.clone().in_field(field),
                 Text::verbatim(count.to_string()),
-                text!("at most {most}", most),
+                text!("at most {most} in one session", most),
             ));
         }
     }

@@ -82,16 +82,20 @@ impl<'a> Grid<'a> {
             if let Some(quote) = quote {
                 return Err(Box::new(open_quote(file, quote)));
             }
+            let is_comment =
+                |line: &str| line.starts_with('#') && line.contains(|c: char| c.is_ascii_digit());
             let with_unit = with_unit_in_cell(text, words);
             let found = if let Some(cell) = with_unit {
                 text!(
                     "no table: numbers with their units in the cells, such as {cell}",
                     cell = quoted(cell)
                 )
-            } else {
+            } else if text.lines().any(is_comment) {
                 text!(
-                    "no table: no line of cells of which one is a number, beside comments (lines that begin with #)"
+                    "no table: lines that begin with # are comments, and no other is one of cells of which one is a number"
                 )
+            } else {
+                text!("no table: no line of cells of which one is a number")
             };
             let expected = match with_unit {
                 Some(_) => text!("numbers alone, and the units in the headings"),
@@ -101,7 +105,7 @@ impl<'a> Grid<'a> {
         };
         if width > MOST_COLUMNS {
             let found = text!(one "{count} column", "{count} columns", count = width);
-            let expected = text!("at most {most}", most = MOST_COLUMNS);
+            let expected = text!("a table of at most {most} columns", most = MOST_COLUMNS);
             return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         }
         let found = Self::with(text, separator, (width, numbers), words)
@@ -244,11 +248,10 @@ impl<'a> Grid<'a> {
             if row.cells.len() >= self.width && row.filled() <= self.width {
                 each(&row, complaints);
             } else {
-                let count = row.cells.len();
-                let mut found = text!(one "{count} cell", "{count} cells", count);
-                if let [only] = &row.cells[..] {
-                    found = text!("{found}: {name}", found, name = quoted(only));
-                }
+                let found = match row.cells.len() {
+                    1 => text!("1 cell, {cells}", cells = quoted(&row.cells[0])),
+                    count => text!(one "{count} cell", "{count} cells", count),
+                };
                 let expected = text!(
                     "{width} between {separator}, as in the rows before",
                     width = self.width,

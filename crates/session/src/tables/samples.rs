@@ -93,7 +93,7 @@ impl<'a> SampleTable<'a> {
         let open = rows.next(&mut row).is_err();
         if row.cells.len() > MOST_COLUMNS {
             let found = text!(one "{count} column", "{count} columns", count = row.cells.len());
-            let expected = text!("at most {most}", most = MOST_COLUMNS);
+            let expected = text!("a table of at most {most} columns", most = MOST_COLUMNS);
             let wrong = Diagnostic::error(first.clone(), found, expected);
             return Err(Box::new(wrong));
         }

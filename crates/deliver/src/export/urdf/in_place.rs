@@ -32,9 +32,8 @@ pub(super) fn write(
     let refused = |error: Rejected| ExportError::Refused(error.describe());
     let text = std::str::from_utf8(reference.bytes).map_err(|_| {
         ExportError::Refused(text!(
-            "{found}: {name}",
-            found = reference.name,
-            name = text!("bytes that are not {encoding}", encoding = "UTF-8")
+            "{file}: expected a URDF file in UTF-8",
+            file = reference.name
         ))
     })?;
     let file = Path::new(reference.name);
@@ -52,8 +51,8 @@ pub(super) fn write(
     } else {
         name
     };
-    let robot = robot_from_urdf(&written, file, &own.base, &tip);
-    let robot = robot.map_err(|rejected| rejected.to_string())?;
+    let read_back = |error: Rejected| ExportError::ReadBack(error.to_string());
+    let robot = robot_from_urdf(&written, file, &own.base, &tip).map_err(read_back)?;
     chain.check(job, &robot)?;
     let mut notes = vec![text!(
         "the file is {file} with the origins of {joints} joints changed; everything else in it is as it was",

@@ -125,7 +125,7 @@ impl AxisDeviation<'_> {
             });
         }
         if after {
-            let name = say!("as predicted with the table");
+            let name = say!("with the table, predicted");
             legend.push(Entry::new(
                 name,
                 LegendSymbol::Line,

@@ -8,7 +8,6 @@ use crate::kinematics::configuration::Statement;
 use super::super::axes::{Axes, Slot};
 use super::super::number::{Number, Span};
 use super::super::pose::{Frame, Orientation};
-use super::super::program::stands;
 use super::super::target::{Problem, Remark, Shape, Target};
 use super::super::walk::{Constant, Declared, Walk};
 use super::super::words::{Kind, Words};
@@ -36,8 +35,8 @@ pub(super) fn position(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
         return Err(words.problem(0, Text::verbatim("P[…]{ … };")));
     }
     words.expect(1, b'[')?;
-    let number: u64 =
-        (words.spelled(2).parse()).map_err(|_| words.problem(2, text!("a whole number")))?;
+    let number: u64 = (words.spelled(2).parse())
+        .map_err(|_| words.problem(2, text!("the number of the position")))?;
     let mut k = 3;
     let key = format!("p[{number}]");
     let mut name = format!("P[{number}]");
@@ -84,7 +83,11 @@ pub(super) fn position(walk: &mut Walk, words: &Words) -> Result<(), Problem> {
     }
     // `RX … RR`: where the tool is seen from the part that the robot holds.
     if group.values.contains_key("rx") {
-        walk.left(at, stands("RTCP"));
+        let says = text!(
+            "the tool stands and the robot moves the part ({sign})",
+            sign = "RTCP"
+        );
+        walk.left(at, says);
         return Ok(());
     }
     let mut target = target(walk.axes, words, &group, &name, at)?;
@@ -158,7 +161,7 @@ fn value(words: &Words, k: usize) -> Result<(Value, usize), Problem> {
     let unit = match words.name(end).as_str() {
         "deg" => "deg",
         "mm" => "mm",
-        _ => return Err(words.problem(end, text!("one of {names}", names = "deg, mm"))),
+        _ => return Err(words.problem(end, text!("deg or mm"))),
     };
     Ok(((number, unit), end + 1))
 }
@@ -175,14 +178,13 @@ fn target(
         match group.values.get(key) {
             Some((Some(number), found)) if *found == unit => Ok(*number),
             Some((Some(number), found)) => {
-                let component = format!("{component} = {} {found}", number.value);
-                let found = text!("{component} in {name}", component, name);
+                let found = text!("{component} in {found} in {name}", component, found, name);
                 let at = number.range().start;
                 Err(Problem::new(at, found, Text::verbatim(unit)))
             }
             _ => {
-                let expected = Text::verbatim(format!("{component} = … {unit}"));
                 let found = text!("{name} without {component}", name, component);
+                let expected = text!("J1 to J6 or X, Y, Z, W, P, R");
                 Err(Problem::new(group.at, found, expected))
             }
         }

@@ -2,7 +2,7 @@
 //! forms, and `WITH` of splines.
 
 use crate::kinematics::Pose;
-use crate::programs::program::{moved_frame, not_in_numbers, stands};
+use crate::programs::program::not_in_numbers;
 use crate::text::Text;
 
 use super::super::pose::{Frame, Orientation};
@@ -30,7 +30,8 @@ pub(super) fn bas(walk: &mut Walk, words: &Words) {
         "tool" => walk.set(TOOL, numbered("TOOL_DATA", &number, null_tool())),
         "ex_base" => {
             let command = words.shown(0, words.len());
-            walk.set(BASE, Referred::Unknown(moved_frame(&command)));
+            let says = text!("the base moves with an external axis ({command})", command);
+            walk.set(BASE, Referred::Unknown(says));
         }
         _ => {}
     }
@@ -58,7 +59,7 @@ pub(super) fn sets(
     let component = (k..equals).any(|j| words.is_sign(j, b'.'));
     match (name.as_str(), part_of(&name)) {
         (_, Some(part)) if component && part != MODE => {
-            let says = text!("{spelled} sets it", spelled = shown);
+            let says = text!("{name} is set", name = shown);
             walk.set(part, Referred::Unknown(says));
         }
         (_, Some(part)) => {
@@ -73,7 +74,7 @@ pub(super) fn sets(
         // A part of it may be that of any of the three.
         ("fdat_act", _) if component => {
             for part in [BASE, TOOL, MODE] {
-                let says = text!("{spelled} sets it", spelled = &shown);
+                let says = text!("{name} is set", name = &shown);
                 walk.set(part, Referred::Unknown(says));
             }
         }
@@ -192,7 +193,10 @@ fn value(
 fn mode(shown: &str) -> Referred {
     match shown.to_lowercase().as_str() {
         "#base" => Referred::Unsaid,
-        "#tcp" => Referred::Unknown(stands("#TCP")),
+        "#tcp" => Referred::Unknown(text!(
+            "the tool stands and the robot moves the part ({sign})",
+            sign = "#TCP"
+        )),
         _ => Referred::Unknown(not_in_numbers(shown)),
     }
 }

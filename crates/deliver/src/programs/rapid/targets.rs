@@ -2,7 +2,7 @@
 
 use crate::kinematics::Pose;
 use crate::kinematics::configuration::Statement;
-use crate::programs::program::{not_in_numbers, stands};
+use crate::programs::program::not_in_numbers;
 use crate::text::Text as Sentence;
 
 use super::super::axes::{Axes, Slot};
@@ -30,7 +30,7 @@ pub(super) fn held(
     let pose = match &list.parts[..] {
         [_, frame, ..] if tool => {
             if list.word(words, 0) != "true" {
-                return Ok(Err(stands(spelled)));
+                return Ok(Err(text!("{spelled} does not sit on the robot", spelled)));
             }
             pose_of(&frame.value, spelled)?
         }

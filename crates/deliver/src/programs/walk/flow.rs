@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{Block, Known, Routine, Scope, State, Walk};
 use crate::programs::referred::{BASE, MODE, Referred, TOOL};
 use crate::programs::target::Problem;
-use crate::programs::words::{Words, too_deep};
+use crate::programs::words::Words;
 
 /// Blocks in blocks, and routines in routines.
 const DEEPEST: usize = 64;
@@ -110,7 +110,12 @@ impl Walk<'_> {
         if open < DEEPEST {
             return Ok(());
         }
-        Err(too_deep(self.at, DEEPEST))
+        let found = text!("blocks in blocks");
+        Err(Problem::new(
+            self.at,
+            found,
+            text!("at most {most} deep", most = DEEPEST),
+        ))
     }
 
     /// A routine begins, whose name is word `k`; its parameters are the names behind it that one of these signs follows.

@@ -14,6 +14,8 @@ mod parameters;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use crate::text::Text as Sentence;
+
 use crate::programs::axes::Axes;
 use crate::programs::number::Span;
 use crate::programs::program::Program;
@@ -206,6 +208,7 @@ pub(super) fn walked(
     axes: &Axes,
     pieces: &[(Range<usize>, &'static Dialect, Grammar)],
     prepare: impl Fn(&mut Walk),
+    elsewhere: fn(&str) -> Sentence,
 ) -> Result<Program, Vec<Problem>> {
     let mut facts = Facts {
         scopes: vec![Scope::default()],
@@ -246,7 +249,7 @@ pub(super) fn walked(
             });
         }
         if !first {
-            let program = walk.finished();
+            let program = walk.finished(elsewhere);
             return if problems.is_empty() {
                 Ok(program)
             } else {

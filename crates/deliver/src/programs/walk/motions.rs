@@ -153,7 +153,7 @@ impl Walk<'_> {
     }
 
     /// The program: what motions go to is applied to the targets, and what is not proven is left.
-    pub(super) fn finished(mut self) -> Program {
+    pub(super) fn finished(mut self, elsewhere: fn(&str) -> Sentence) -> Program {
         let valued = |name: &&Name| !name.values.is_empty();
         let arrays = self.facts.names.iter().filter(valued);
         let arrays: BTreeSet<u32> = arrays.filter_map(|name| name.whole).collect();
@@ -193,7 +193,7 @@ impl Walk<'_> {
                 [] if handed || is_part && arrays.contains(&index) => {}
                 [] => {
                     if let Some(spelled) = motion.spelled {
-                        let says = self.without_values(index, &spelled);
+                        let says = self.without_values(index, &spelled, elsewhere);
                         self.left(motion.at, says);
                     }
                 }
@@ -217,15 +217,21 @@ impl Walk<'_> {
     }
 
     /// Why a name that motions go to has no values in the file.
-    fn without_values(&self, index: u32, spelled: &str) -> Sentence {
+    fn without_values(
+        &self,
+        index: u32,
+        spelled: &str,
+        elsewhere: fn(&str) -> Sentence,
+    ) -> Sentence {
         match self.facts.names[index as usize].declared {
             Declared::Parameter => from_the_caller(spelled),
-            Declared::Target | Declared::Nowhere => not_in_numbers(spelled),
+            Declared::Target => not_in_numbers(spelled),
             Declared::Other(kind) => text!(
                 "{spelled} is declared as {kind}, which is no target",
                 spelled,
                 kind = kind.map_or_else(String::new, |kind| self.text.shown(kind.range()))
             ),
+            Declared::Nowhere => elsewhere(spelled),
         }
     }
 
@@ -246,15 +252,13 @@ impl Walk<'_> {
             let left = if let Some(command) = said(|said| said.relative.as_deref()) {
                 let says = text!("{command} is a relative motion", command);
                 Some((Reason::Relative, says))
-            } else if let Some(span) = both().find_map(|name| name.changed) {
-                let spelled = self.text.shown(span.range());
-                let says = text!("{spelled} is changed at run time", spelled);
-                Some((Reason::Changed, says))
+            } else if both().any(|name| name.changed.is_some()) {
+                Some((Reason::Changed, text!("its value is changed at run time")))
             } else if !used {
                 let says = match said(|said| Some(&*said.mentioned.as_ref()?.1)) {
                     Some(command) => text!(
-                        "no motion of this file goes to it; {command} uses it",
-                        command
+                        "no motion of this file goes to it: {says}",
+                        says = text!("{command} uses it", command)
                     ),
                     None => text!("no motion of this file goes to it"),
                 };

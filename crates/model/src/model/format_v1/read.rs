@@ -100,7 +100,8 @@ fn read(text: &str, place: Place) -> Result<Calibration, Rejected> {
 }
 
 fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
-    let mut at = fields.of_format(root, FORMAT)?;
+    let expected = text!("a model: an object with the key \"format\"");
+    let mut at = fields.of_format(root, FORMAT, expected)?;
     let blank = Calibration {
         session: String::new(),
         model: Model::nominal(blank()),

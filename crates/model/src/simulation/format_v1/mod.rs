@@ -121,7 +121,8 @@ fn offset_of(root: &Node, path: &str) -> usize {
 }
 
 fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Scenario> {
-    let mut at = fields.of_format(root, FORMAT)?;
+    let expected = text!("a scenario: an object with the key \"format\"");
+    let mut at = fields.of_format(root, FORMAT, expected)?;
     if let Value::Object(members) = &root.value {
         for member in members.iter().filter(|member| member.key != "robot") {
             ranges::check(at.fields, &member.node, &Path::Root.key(&member.key));

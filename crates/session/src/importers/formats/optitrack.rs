@@ -222,7 +222,7 @@ fn header(context: &mut ReadContext<'_>, rows: &mut TextRows<'_>) -> Option<(Vec
         let most = 64 * MOST_COLUMNS;
         context.refuse(
             text!(one "{count} column", "{count} columns", count = axes.len()),
-            text!("at most {most}", most),
+            text!("a table of at most {most} columns", most),
         );
         return None;
     }

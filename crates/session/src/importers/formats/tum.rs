@@ -10,7 +10,7 @@ use crate::importers::settings::{Known, ReadContext};
 use crate::importers::units::{LengthUnit, TimeUnit};
 use crate::sessions::columns::{Quantity, Unit};
 use crate::tables::Grid;
-use crate::text::{Template, Text};
+use crate::text::Template;
 
 /// The columns as the format calls them.
 const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"];
@@ -83,7 +83,8 @@ fn as_headed(context: &mut ReadContext<'_>, grid: &Grid<'_>, own: Vec<Role>) -> 
 }
 
 fn refuse_heading(context: &mut ReadContext<'_>, heading: &str) -> Option<Vec<Role>> {
-    context.refuse(Text::verbatim(quoted(heading)), COLUMNS);
+    let found = text!("the heading {heading}", heading = quoted(heading));
+    context.refuse(found, COLUMNS);
     None
 }
 

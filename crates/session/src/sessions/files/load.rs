@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use crate::atomic::folder_of;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity, summarised, unreadable};
-use crate::document::number::quoted;
 use crate::document::{Fields, Path as JsonPath};
 use crate::kinematics::Joint;
 use crate::progress::{Progress, ProgressSpan, ReadError, unwatched};
@@ -205,8 +204,8 @@ fn samples_file(
             return samples_from(bytes, &file, place, wanted, wanted.part, findings);
         }
         CompanionFile::Nothing => Err((
-            text!("the file {file}", file = quoted(name)),
-            text!("no other file, as the document was read without a folder"),
+            text!("samples in a file: {name}", name),
+            text!("samples inside the document, as it was read without a folder"),
         )),
         CompanionFile::Folder(folder) => open::samples_path(folder, name).and_then(|path| {
             let (file, length) = open::open_regular(&path)

@@ -84,14 +84,8 @@ pub(super) fn units_of(
         } else {
             (About::AngleUnit, &["deg", "rad"])
         };
-        let is_asked = |(_, part): &(&String, &TableColumn)| match part {
-            TableColumn::Target => target_unit.is_none(),
-            TableColumn::Direction | TableColumn::Run | TableColumn::Other => false,
-            _ => measured_unit.is_none(),
-        };
-        let columns = headings.iter().zip(parts).filter(is_asked);
-        let columns: Vec<&str> = columns.map(|(heading, _)| heading.as_str()).collect();
-        context.ask(about, units::not_stated(&columns.join(", ")), answers);
+        let says = text!("the unit of the targets or of the positions is not stated");
+        context.ask(about, says, answers);
         return None;
     };
     context.found.unit = match default {

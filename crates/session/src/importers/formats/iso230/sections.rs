@@ -22,7 +22,6 @@ use super::in_units::Units;
 use super::parts::Measurement;
 use crate::diagnostic::Diagnostic;
 use crate::importers::settings::ReadContext;
-use crate::importers::units::not_stated;
 use crate::sessions::columns::Unit;
 use crate::text::Text;
 
@@ -41,7 +40,7 @@ pub(super) fn is_one(text: &str) -> bool {
 pub(super) fn runs(context: &mut ReadContext<'_>) -> Vec<Measurement> {
     if !context.reading.slides {
         context.refuse(
-            not_stated("TARGET DATA:: DEVIATIONS::"),
+            text!("angles in a file of sections, whose unit is not stated"),
             text!("the same runs as a table, with the unit in the heading of the deviations"),
         );
         return Vec::new();
@@ -99,7 +98,7 @@ fn parsed(text: &str) -> (Vec<Measurement>, Vec<(u64, Text, Text)>) {
                 let Some(at) = target.checked_sub(1).and_then(|k| targets.get(k)) else {
                     let found = text!("target number {number}", number = target);
                     let count = targets.len();
-                    wrong.push((line, found, text!("from 1 to {most}", most = count)));
+                    wrong.push((line, found, text!("1 to {count}", count)));
                     continue;
                 };
                 list.push(Measurement {

@@ -38,8 +38,11 @@ pub(super) fn path(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Colum
         }
     }
     if topic.without_positions > 0 {
-        let count = topic.without_positions;
-        context.note(excluded(topic, count, rows.len() + count));
+        context.note(text!(
+            one "{count} joint state of {topic} has no positions: left out", "{count} joint states of {topic} have no positions: left out",
+            count = topic.without_positions,
+            topic = quoted(&topic.name)
+        ));
     }
     if !rows
         .values()
@@ -62,7 +65,13 @@ pub(super) fn path(context: &mut ReadContext<'_>, topic: &Topic) -> Option<Colum
         return None;
     }
     if rows.len() < all {
-        context.warn(excluded(topic, all - rows.len(), all), Text::default());
+        let found = text!(
+            one "{count} of {all} messages of {topic} is excluded: a value is missing", "{count} of {all} messages of {topic} are excluded: a value is missing",
+            count = all - rows.len(),
+            all,
+            topic = quoted(&topic.name)
+        );
+        context.warn(found, Text::default());
     }
     let (time_s, q) = averaged(&rows, names.len(), topic.start_ns()?);
     let mut list = vec![Column::made(Quantity::Time, Unit::Fixed, time_s)];
@@ -202,15 +211,6 @@ fn averaged(
     (time_s, q)
 }
 
-fn excluded(topic: &Topic, count: usize, all: usize) -> Text {
-    text!(
-        one "{count} of {all} messages of {topic} is excluded: a value is missing", "{count} of {all} messages of {topic} are excluded: a value is missing",
-        count,
-        all,
-        topic = quoted(&topic.name)
-    )
-}
-
 /// What was measured, in the order of time. `None`: something is asked.
 pub(super) fn points(
     context: &mut ReadContext<'_>,
@@ -227,7 +227,13 @@ pub(super) fn points(
     let is_there = |measured: &&&Measured| measured.is_there();
     let lost = list.len() - list.iter().filter(is_there).count();
     if lost > 0 {
-        context.warn(excluded(topic, lost, list.len()), Text::default());
+        let found = text!(
+            one "{count} of {all} messages of {topic} is excluded: a value is missing", "{count} of {all} messages of {topic} are excluded: a value is missing",
+            count = lost,
+            all = list.len(),
+            topic = quoted(&topic.name)
+        );
+        context.warn(found, Text::default());
         list.retain(|measured| measured.is_there());
     }
     if list.is_empty() {

@@ -61,6 +61,8 @@ fn head(o: &mut Object<'_, '_>, own: &mut Head) {
 
 /// Reads the document; `None` when it is no session at all.
 pub(crate) fn read(fields: &mut Fields<'_>, mut root: Node) -> Option<(Head, Option<SamplesAt>)> {
+    let expected = text!("a session: an object with the key \"format\"");
+    fields.of_format(&root, FORMAT, &expected)?;
     // Taken out of the tree: a million samples are not copied.
     let samples = match &mut root.value {
         Value::Object(members) => members
@@ -69,12 +71,11 @@ pub(crate) fn read(fields: &mut Fields<'_>, mut root: Node) -> Option<(Head, Opt
             .map(|index| members.remove(index)),
         _ => None,
     };
-    let mut at = fields.of_format(&root, FORMAT)?;
     if let Value::Object(members) = &root.value {
         // The robot's numbers are checked where robots are read, the samples' with their columns.
         for member in members.iter().filter(|member| member.key != "robot") {
             let path = Path::Root.key(&member.key);
-            ranges::check(at.fields, &member.node, &path);
+            ranges::check(fields, &member.node, &path);
         }
     }
     let mut own = Head {
@@ -87,7 +88,7 @@ pub(crate) fn read(fields: &mut Fields<'_>, mut root: Node) -> Option<(Head, Opt
         regions: Vec::new(),
         compensated_by: None,
     };
-    at.fill(&mut own, head);
+    fields.at(&root, &Path::Root, expected).fill(&mut own, head);
     let samples = samples_at(fields, samples, root.at);
     Some((own, samples))
 }

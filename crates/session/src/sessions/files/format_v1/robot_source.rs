@@ -91,10 +91,7 @@ pub(super) fn from_file(at: &mut Cursor<'_, '_>, format: DescriptionFormat) -> O
     })?;
     let Some(folder) = at.fields.folder() else {
         let found = text!("the file {file}", file = quoted(&file));
-        return at.error(
-            found,
-            text!("no other file, as the document was read without a folder"),
-        );
+        return at.error(found, text!("a robot that needs no other file"));
     };
     let described = folder.join(&file);
     match robot_from_file(&described, Some(format), &base, &tip) {

@@ -1,10 +1,59 @@
-//! What an export has made.
+//! What makes a file for a controller, and what it has made.
 
 use crate::kinematics::Robot;
-use crate::text::Text;
+use crate::text::{Template, Text};
 
+use super::job::{ExportError, Job};
+use super::options::Asked;
 use super::read_back::ReadBack;
 use super::residual_error::ResidualError;
+use super::rules::Rules;
+
+/// A format that models are exported to.
+pub trait Exporter: Sync {
+    /// Makes the documents.
+    ///
+    /// # Errors
+    /// What the format cannot say is refused, never cut off.
+    fn export(&self, job: &Job) -> Result<Export, ExportError>;
+
+    /// What it can be told beside the model, for a robot.
+    fn asks(&self, _robot: &Robot) -> Asked {
+        Asked::default()
+    }
+}
+
+/// An entry of the list of formats.
+#[derive(Clone, Copy)]
+pub struct Format {
+    /// Name for `--to`.
+    pub id: &'static str,
+    /// Name in words.
+    pub title: Template,
+    /// The usual ending of its files.
+    pub extension: &'static str,
+    /// What it is, where it is a table.
+    pub rules: Option<&'static Rules>,
+    /// Whether it is for robots like this one. (Others are refused, or have something simpler.)
+    pub suits: fn(&Robot) -> bool,
+    /// What makes it.
+    pub exporter: &'static dyn Exporter,
+}
+
+impl Format {
+    /// What it can be told beside the model, for a robot.
+    pub fn asks(&self, robot: &Robot) -> Asked {
+        self.exporter.asks(robot)
+    }
+}
+
+pub(super) fn any_robot(_: &Robot) -> bool {
+    true
+}
+
+pub(super) fn several_joints(robot: &Robot) -> bool {
+    robot.joints.len() > 1
+}
 
 /// A file to be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
