@@ -109,7 +109,7 @@ impl<'a> Judge<'a> {
             most_mm: (CORRECTED_SHARE * before_mm).min(PLAUSIBLE_SHARE * spread),
             moves: nominal_mm(part, values).map(|along| {
                 let [low, high] = extent(&along);
-                high - low > GROSS_SHARE * size_mm(part)
+                high - low > GROSS_SHARE * part.robot.length_along_links_mm()
             }),
         })
     }
