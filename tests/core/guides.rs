@@ -123,5 +123,6 @@ fn a_single_slide_with_three_reflectors_shows_how_it_is_turned() {
     let unseen = parse(document.as_bytes()).unwrap().session;
     let handed_out = hand_out(&found.calibration(&session), &session).unwrap();
     let left_mm = verify(&handed_out, &unseen).unwrap().model.rms_mm;
-    assert!(left_mm < 1.15 * 3.0_f64.sqrt() * NOISE_MM, "{left_mm}");
+    // A curve over the slide alone leaves more than three times the noise.
+    assert!(left_mm < 2.0 * 3.0_f64.sqrt() * NOISE_MM, "{left_mm}");
 }

@@ -1,5 +1,7 @@
 //! Thresholds of residuals, as a share of the robot's size or as a ratio: of a robot, a fit, or a set-up error.
 
+use crate::kinematics::JointKind;
+use crate::numeric::extent;
 use crate::sessions::Session;
 
 /// An error above this share of the robot's size is gross: residual effects are smaller, so that it is of the rows,
@@ -27,15 +29,25 @@ pub(crate) const NOTHING_MM: f64 = 1e-3;
 /// four, and what is outside of the catalogue may have twice as many.
 pub(crate) const BENDS: usize = 8;
 
-/// The size of a session's robot, of which shares are gross, mm: that of its links, or of a slide that is hardly more than
-/// its travel the spread of the measured points.
+/// The size of a session's robot, of which shares are gross, mm: that of its links, or, where these are shorter, of its
+/// slides' travel and of how far its targets are from the tool's origin. What was measured has no part in it: it may be
+/// in another unit.
 pub(crate) fn size_mm(session: &Session) -> f64 {
-    let links_mm = session.robot.length_along_links_mm();
-    session.samples.spread_mm().max(links_mm)
+    travel_and_targets_mm(session).max(session.robot.length_along_links_mm())
 }
 
 /// The same by how far the robot reaches.
 pub(crate) fn reach_mm(session: &Session) -> f64 {
-    let reach_mm = session.robot.reach_mm();
-    session.samples.spread_mm().max(reach_mm)
+    travel_and_targets_mm(session).max(session.robot.reach_mm())
+}
+
+fn travel_and_targets_mm(session: &Session) -> f64 {
+    let joints = session.robot.joints.iter().zip(&session.samples.q);
+    let slides = joints.filter(|(joint, _)| joint.kind == JointKind::Prismatic);
+    let travels = slides.map(|(_, q)| {
+        let [from, to] = extent(q.iter().filter(|q| q.is_finite()));
+        to - from
+    });
+    let targets = session.targets.iter().map(|t| t.position_mm.coords.norm());
+    travels.chain(targets).fold(0.0, f64::max)
 }

@@ -99,7 +99,7 @@ impl<'a> Judge<'a> {
     /// `None` where nothing is wrong.
     fn of(part: &'a Session, values: JointValues, share: f64) -> Option<Self> {
         let spread = part.samples.spread_mm();
-        let gross = GROSS_SHARE * size_mm(part);
+        let gross = GROSS_SHARE * spread.max(size_mm(part));
         let before_mm = least_mm(part, values, frame_is_free(part), share, gross);
         (before_mm >= gross).then(|| Self {
             part,
@@ -109,7 +109,7 @@ impl<'a> Judge<'a> {
             most_mm: (CORRECTED_SHARE * before_mm).min(PLAUSIBLE_SHARE * spread),
             moves: nominal_mm(part, values).map(|along| {
                 let [low, high] = extent(&along);
-                high - low > GROSS_SHARE * part.robot.length_along_links_mm()
+                high - low > GROSS_SHARE * size_mm(part)
             }),
         })
     }

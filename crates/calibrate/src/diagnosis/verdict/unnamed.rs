@@ -15,6 +15,7 @@ use super::values::Values;
 use crate::answers::diagnosis::Unnamed;
 use crate::diagnosis::rest::arm::{self, FittedFamilies};
 use crate::diagnosis::search::prepare::PreparedSearch;
+use crate::diagnosis::search::{is_gross, size_mm};
 
 /// Values with what predicts without a name, where it does, and their figures; `curve` is that over a single joint, in
 /// addition to which it predicts.
@@ -25,8 +26,13 @@ pub(super) fn with_rest<'a>(
     curve: Option<&Term>,
 ) -> Option<(Values<'a>, Figures, Unnamed)> {
     let problem = &values.problem;
-    let several = base_model::is_arm(problem.session) || problem.inputs.reflectors() > 1;
-    if prepared.options().without_unnamed || !several {
+    let arm = base_model::is_arm(problem.session);
+    if prepared.options().without_unnamed || !arm && problem.inputs.reflectors() < 2 {
+        return None;
+    }
+    // No single joint turns what it carries so far: what is gross is of the rows or of the set-up.
+    let left_mm = rms_mm(problem, &beside(&values.model, curve));
+    if !arm && is_gross(left_mm, size_mm(prepared)) {
         return None;
     }
     let mut now = figures.clone();
