@@ -86,6 +86,10 @@ pub(crate) enum Front {
 }
 
 #[derive(Debug, Clone, PartialEq, Default)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "what is shown or not, each on its own"
+)]
 pub(crate) struct ViewState {
     pub(crate) step: Step,
     /// The plane of the workspace plot.

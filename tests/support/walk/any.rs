@@ -197,7 +197,7 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Deed {
             bench.edit(Document::regions_of_session);
         }),
         19 => deed("KeepRegions", (), |bench, ()| {
-            bench.replace(|d| d.keep_regions());
+            bench.replace(Document::keep_regions);
         }),
         20 => deed(
             "Method",

@@ -252,6 +252,6 @@ fn in_words(robot: &Robot) -> String {
 
 fn line(ui: &mut Ui, severity: Severity, says: &str) {
     session::finding(ui, severity, |ui| {
-        drop(ui.label(RichText::new(says).small()))
+        ui.label(RichText::new(says).small());
     });
 }
