@@ -19,14 +19,18 @@ struct Sorted(Vec<f64>);
 
 impl ChartKind for Cumulative {
     fn about(&self) -> About {
-        let names = [phrase!("cumulative"), phrase!("Cumulative deviations")];
         let word = Word {
             name: phrase!("Cumulative deviations"),
             means: phrase!(
                 "The share of the samples whose deviation is no larger than a length: where the curve passes 95 % is the deviation that one of twenty samples exceeds"
             ),
         };
-        About::new("cumulative deviations", names, word, ChartChoice::Component)
+        About::new(
+            "cumulative deviations",
+            word.name,
+            word,
+            ChartChoice::Component,
+        )
     }
 
     fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
