@@ -126,3 +126,18 @@ fn a_single_slide_with_three_reflectors_shows_how_it_is_turned() {
     // A curve over the slide alone leaves more than three times the noise.
     assert!(left_mm < 2.0 * 3.0_f64.sqrt() * NOISE_MM, "{left_mm}");
 }
+
+/// The turns were fitted in addition to the curve: their figures hold with both, and neither is taken away alone.
+#[test]
+fn a_curve_and_the_turns_that_were_fitted_with_it_stay_together() {
+    let both = |u: f64| {
+        let [[x, y, z], turned] = turns(u);
+        [[x, y, z - 0.2 * (PI * u).sin()], turned]
+    };
+    let swept = (0..62).map(|k| 50.0 * f64::from(k % 31));
+    let session = parse(slide(4, swept, both).as_bytes()).unwrap().session;
+    let found = diagnosed(&session);
+    assert!(found.correction().is_some());
+    assert!(found.unnamed_terms().len() > 1, "{:?}", found.unnamed);
+    assert_eq!(found.clone().uncorrected(), found);
+}

@@ -1,8 +1,8 @@
 //! Thresholds of residuals, as a share of the robot's size or as a ratio: of a robot, a fit, or a set-up error.
 
-use crate::kinematics::JointKind;
+use crate::kinematics::{JointKind, Robot};
 use crate::numeric::extent;
-use crate::sessions::Session;
+use crate::sessions::{Session, Target};
 
 /// An error above this share of the robot's size is gross: residual effects are smaller, so that it is of the rows,
 /// the set-up or the description. (Derived: a set-up error moves the tool by more than a hundredth of the robot's
@@ -29,25 +29,25 @@ pub(crate) const NOTHING_MM: f64 = 1e-3;
 /// four, and what is outside of the catalogue may have twice as many.
 pub(crate) const BENDS: usize = 8;
 
-/// The size of a session's robot, of which shares are gross, mm: that of its links, or, where these are shorter, of its
-/// slides' travel and of how far its targets are from the tool's origin. What was measured has no part in it: it may be
-/// in another unit.
+/// The size of a session's robot, of which shares are gross, mm.
 pub(crate) fn size_mm(session: &Session) -> f64 {
-    travel_and_targets_mm(session).max(session.robot.length_along_links_mm())
+    let travelled = session.samples.q.iter();
+    let travelled = travelled.map(|q| extent(q.iter().filter(|q| q.is_finite())));
+    size_of(&session.robot, &session.targets, travelled)
 }
 
-/// The same by how far the robot reaches.
-pub(crate) fn reach_mm(session: &Session) -> f64 {
-    travel_and_targets_mm(session).max(session.robot.reach_mm())
-}
-
-fn travel_and_targets_mm(session: &Session) -> f64 {
-    let joints = session.robot.joints.iter().zip(&session.samples.q);
+/// The size of a robot whose joints were `travelled` from one value to another, mm: that of its links, or, where these
+/// are shorter, its slides' travel or how far its targets are from the tool's origin. What was measured has no part in
+/// it: it may be in another unit.
+pub(crate) fn size_of(
+    robot: &Robot,
+    targets: &[Target],
+    travelled: impl Iterator<Item = [f64; 2]>,
+) -> f64 {
+    let joints = robot.joints.iter().zip(travelled);
     let slides = joints.filter(|(joint, _)| joint.kind == JointKind::Prismatic);
-    let travels = slides.map(|(_, q)| {
-        let [from, to] = extent(q.iter().filter(|q| q.is_finite()));
-        to - from
-    });
-    let targets = session.targets.iter().map(|t| t.position_mm.coords.norm());
-    travels.chain(targets).fold(0.0, f64::max)
+    let travels = slides.map(|(_, [from, to])| to - from);
+    let far = targets.iter().map(|t| t.position_mm.coords.norm());
+    let outside = travels.chain(far).fold(0.0, f64::max);
+    outside.max(robot.length_along_links_mm())
 }

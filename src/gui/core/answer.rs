@@ -296,7 +296,7 @@ impl RequestedSearch {
         let corrected = diagnosis.correction().is_some() && unnamed.len() == 1;
         (all || corrected && same(&names)).then(|| Self {
             search: Arc::clone(search),
-            corrected: corrected && all,
+            corrected: all,
         })
     }
 

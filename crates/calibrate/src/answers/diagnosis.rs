@@ -309,9 +309,13 @@ impl Diagnosis {
         curve.into_iter().chain(rest).cloned().collect()
     }
 
-    /// The answer without what repeats over the only joint and has no name.
+    /// The answer without what repeats over the only joint and has no name; as it is where more without a name was fitted
+    /// in addition to that.
     #[must_use]
     pub fn uncorrected(mut self) -> Self {
+        if self.unnamed_terms().len() > 1 {
+            return self;
+        }
         if let Some(curve) = self
             .unnamed
             .take_if(|own| own.curve.is_some())

@@ -3,9 +3,7 @@
 //! robot's size; values that were fitted to them are no robot's, and a table made of them increases the error.
 
 use super::{TableError, VerifiedCalibration};
-use crate::kinematics::JointKind;
-use crate::model::Calibration;
-use crate::thresholds::{GROSS_SHARE, PLAUSIBLE_SHARE};
+use crate::thresholds::{GROSS_SHARE, PLAUSIBLE_SHARE, size_of};
 
 /// A gross residual has to be smaller than that of the nominal robot by at least this. (Derived: a servo with a degree
 /// of play has a residual of sin 1° = 0.017 of its reach, and its zeros are worth correcting.)
@@ -23,7 +21,8 @@ impl VerifiedCalibration {
         let [nominal, .., last] = &self.history[..] else {
             return Ok(());
         };
-        let size_mm = size_mm(self);
+        let travelled = self.measured.iter().map(|range| [range.from, range.to]);
+        let size_mm = size_of(&self.model.robot, &self.targets, travelled);
         let left_mm = last.gap_mm;
         let gains = left_mm < SHARE_OF_NOMINAL * nominal.gap_mm;
         if left_mm > PLAUSIBLE_SHARE * size_mm || left_mm > GROSS_SHARE * size_mm && !gains {
@@ -31,21 +30,4 @@ impl VerifiedCalibration {
         }
         Ok(())
     }
-}
-
-/// The reach of the robot with its tool, or its travel, mm.
-fn size_mm(calibration: &Calibration) -> f64 {
-    let robot = &calibration.model.robot;
-    let target = calibration
-        .targets
-        .iter()
-        .map(|t| t.position_mm.coords.norm());
-    let slides = robot.joints.iter().zip(&calibration.measured);
-    let slides = slides
-        .filter(|(joint, _)| joint.kind == JointKind::Prismatic)
-        .map(|(joint, measured)| {
-            let range = joint.limits.unwrap_or(*measured);
-            range.to - range.from
-        });
-    (robot.reach_mm() + target.fold(0.0, f64::max)).max(slides.fold(0.0, f64::max))
 }

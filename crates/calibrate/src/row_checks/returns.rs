@@ -10,7 +10,7 @@ use crate::fewest;
 use crate::observations::outliers::MOST_SHARE;
 use crate::sessions::Session;
 use crate::text::length;
-use crate::thresholds::{GROSS_SHARE, reach_mm};
+use crate::thresholds::{GROSS_SHARE, size_mm};
 
 /// So many returns are no accident, and as large a share of the samples.
 const LEAST_SHARE: f64 = 0.25;
@@ -55,7 +55,7 @@ pub(super) fn far_apart(session: &Session, values: JointValues) -> Vec<DataProbl
     }
     returns.sort_by(|a, b| a.from_middle_mm.total_cmp(&b.from_middle_mm));
     let median_mm = returns[returns.len() / 2].from_middle_mm;
-    if median_mm <= GROSS_SHARE * reach_mm(session) {
+    if median_mm <= GROSS_SHARE * size_mm(session) {
         return Vec::new();
     }
     vec![DataProblem::of_all(
@@ -88,7 +88,7 @@ fn returns(session: &Session, values: JointValues) -> Vec<Return> {
             .or_default()
             .push(i);
     }
-    let elsewhere_mm = ELSEWHERE * reach_mm(session);
+    let elsewhere_mm = ELSEWHERE * size_mm(session);
     let groups = groups.into_values().filter(|group| group.len() > 1);
     let returns = groups.flat_map(|group| {
         let from_middle = from_the_middle(session, &group);

@@ -177,10 +177,13 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// How many of the reflectors were measured.
-    pub fn reflectors(&self) -> usize {
-        let targets = self.target.as_deref().unwrap_or(&[]);
-        targets.iter().collect::<BTreeSet<_>>().len().max(1)
+    /// At how many places of the flange reflectors were measured.
+    pub fn reflector_places(&self) -> usize {
+        let measured: BTreeSet<_> = self.target.as_deref().unwrap_or(&[]).iter().collect();
+        let homes = &self.reflectors_at_home;
+        let places = measured.into_iter().filter_map(|i| homes.get(*i as usize));
+        let places = places.map(|home| home.map(f64::to_bits));
+        places.collect::<BTreeSet<_>>().len().max(1)
     }
 
     /// Poses that were not measured: at standstill, at 20 °C, without load, approached from
@@ -393,6 +396,17 @@ fn travel_in_order(q: &[f64], dir: &[f64], order: &[usize]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn two_reflectors_at_one_place_are_one() {
+        let homes = vec![[0.0; 3], [90.0, 0.0, 0.0], [0.0; 3]];
+        let mut inputs = Inputs::at_poses(vec![vec![0.0; 4]], homes);
+        assert_eq!(inputs.reflector_places(), 1);
+        inputs.target = Some(Cow::Owned(vec![0, 2, 2, 0]));
+        assert_eq!(inputs.reflector_places(), 1);
+        inputs.target = Some(Cow::Owned(vec![0, 2, 1, 0]));
+        assert_eq!(inputs.reflector_places(), 2);
+    }
 
     #[test]
     fn travel_follows_the_order_of_measuring() {

@@ -9,7 +9,7 @@ use super::classes;
 use crate::fit::gap::lengths_mm;
 use crate::fit::problem::Problem;
 use crate::model::Model;
-use crate::thresholds::{GROSS_SHARE, reach_mm};
+use crate::thresholds::{GROSS_SHARE, size_mm};
 use crate::{fewest, odds};
 
 /// Uses clusters again.
@@ -60,7 +60,7 @@ fn is_gross(problem: &Problem, residual_mm: &[f64], run: &[usize]) -> bool {
         .map(|i| residual_mm[problem.sample_of(*i)])
         .collect();
     run.sort_by(f64::total_cmp);
-    run[run.len() / 2] > GROSS_SHARE * reach_mm(problem.session)
+    run[run.len() / 2] > GROSS_SHARE * size_mm(problem.session)
 }
 
 /// The suspects between whose values no other has its own. Of many samples few are suspects: they are put in order,

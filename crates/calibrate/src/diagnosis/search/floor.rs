@@ -7,7 +7,7 @@ use crate::effects::Inputs;
 use crate::fewest;
 use crate::sessions::Sigma;
 use crate::sessions::poses::ByPose;
-use crate::thresholds::{GROSS_SHARE, reach_mm};
+use crate::thresholds::{GROSS_SHARE, size_mm};
 
 use super::prepare::PreparedSearch;
 use crate::answers::diagnosis::{Floor, FloorFrom};
@@ -162,7 +162,7 @@ pub(crate) fn pure_error(prepared: &PreparedSearch) -> Option<PureError> {
     let all = all as f64;
     let mm = (of_lengths >= fewest::TO_JUDGE).then(|| (sum / of_lengths as f64).sqrt());
     // If they are farther apart they are no returns: the commands are not the robot's.
-    let worst_mm = GROSS_SHARE * reach_mm(prepared.problem.session);
+    let worst_mm = GROSS_SHARE * size_mm(prepared.problem.session);
     let are_returns = mm.is_none_or(|mm| mm <= worst_mm);
     let of_poses = returned_poses(inputs).map(|count| (rows.axes.len() * count) as f64);
     (freedom >= fewest::TO_JUDGE && are_returns).then(|| PureError {

@@ -38,7 +38,7 @@ use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::model::Model;
 use crate::numeric::median;
-use crate::thresholds::{GROSS_SHARE, reach_mm};
+use crate::thresholds::{GROSS_SHARE, size_mm};
 
 use super::divergent_terms::runs_away;
 use super::unseen::{self, Procedure};
@@ -198,7 +198,7 @@ impl<'a> Against<'_, 'a> {
             _ => true,
         };
         let has_names = model.terms().len() > self.prepared.regression.base.terms().len();
-        let gross = has_names && own.end_mm > GROSS_SHARE * reach_mm(problem.session);
+        let gross = has_names && own.end_mm > GROSS_SHARE * size_mm(problem.session);
         held_out
             && !gross
             && own.end_mm <= self.rms_mm

@@ -84,9 +84,7 @@ pub(super) fn with_repeating(
         identified_mm = identified.max(after);
         [before, after]
     };
-    // Rows are never set aside by the tenth to follow the others.
-    let fitted = values.problem.fit.iter().filter(|fit| **fit).count();
-    if 10 * aside[1].iter().filter(|aside| **aside).count() > fitted {
+    if sets_many_aside(&found.problem) {
         return None;
     }
     // Rows that do not belong to the robot have the largest deviations, and dominate the sum of squares.
@@ -123,6 +121,13 @@ pub(super) fn with_repeating(
         noise: found.noise,
         come_back,
     })
+}
+
+/// Whether a tenth of the samples or more are set aside: the others may follow one another by how they were chosen, and
+/// no curve is judged by them.
+pub(super) fn sets_many_aside(problem: &Problem) -> bool {
+    let count = |all: &[bool]| all.iter().filter(|own| **own).count();
+    10 * count(&set_aside(problem)) > count(&problem.fit)
 }
 
 /// The median deviation of all samples that may be fitted, mm.

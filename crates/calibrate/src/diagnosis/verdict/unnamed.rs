@@ -10,6 +10,7 @@ use crate::fit::gap::{lengths_mm, rms_mm};
 use crate::model::Model;
 
 use super::named::Figures;
+use super::repeating::sets_many_aside;
 use super::unseen;
 use super::values::Values;
 use crate::answers::diagnosis::Unnamed;
@@ -27,12 +28,12 @@ pub(super) fn with_rest<'a>(
 ) -> Option<(Values<'a>, Figures, Unnamed)> {
     let problem = &values.problem;
     let arm = base_model::is_arm(problem.session);
-    if prepared.options().without_unnamed || !arm && problem.inputs.reflectors() < 2 {
+    if prepared.options().without_unnamed || !arm && problem.inputs.reflector_places() < 2 {
         return None;
     }
     // No single joint turns what it carries so far: what is gross is of the rows or of the set-up.
     let left_mm = rms_mm(problem, &beside(&values.model, curve));
-    if !arm && is_gross(left_mm, size_mm(prepared)) {
+    if !arm && (is_gross(left_mm, size_mm(prepared)) || sets_many_aside(problem)) {
         return None;
     }
     let mut now = figures.clone();
