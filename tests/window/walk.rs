@@ -5,6 +5,7 @@ use truepose::gui::walk;
 use crate::cases::every_case;
 
 #[test]
-fn thousands_of_commands_at_random_leave_a_consistent_workbench() {
-    walk::thousands_of_commands(if every_case() { 6 } else { 3 });
+fn commands_at_random_leave_a_consistent_workbench() {
+    let (seeds, commands) = if every_case() { (6, 900) } else { (3, 350) };
+    walk::commands_at_random(seeds, commands);
 }
