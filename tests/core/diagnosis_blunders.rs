@@ -1,6 +1,7 @@
 //! Mistakes of setting up and of measuring, made on a rig that shares no code with the model
 //! (`support/rig.rs`): each has to be reported as what it is, and must not fake an effect.
 
+use crate::cases::cases;
 use crate::rig::{Design, Hidden, Random, Rig};
 use truepose::diagnosis::{Diagnosis, Options, Verdict};
 use truepose::effects::JointValues;
@@ -78,7 +79,7 @@ fn coordinates_in_the_wrong_unit() {
 #[test]
 fn coordinates_of_an_arm_in_the_wrong_unit() {
     // Links that may shrink fit metres read as millimetres to a nanometre, and are no robot.
-    for file in ["tests/data/arms/six-60.json", "sessions/arm/arm.json"] {
+    for file in cases(&["tests/data/arms/six-60.json", "sessions/arm/arm.json"], 1) {
         let right = load(file).expect("a session of the repository").session;
         let found = identified_mm(&right);
         for (factor, unit) in [

@@ -5,6 +5,7 @@
 
 use std::path::PathBuf;
 
+use crate::cases::cases;
 use nalgebra::Vector3;
 use truepose::effects::{Inputs, JointValues};
 use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact};
@@ -78,7 +79,7 @@ fn same_tool(name: &str, right: &Identification, answer: &Identification) {
 
 #[test]
 fn a_target_that_moved_leaves_the_tool_where_the_others_say() {
-    for kind in KINDS {
+    for kind in cases(&KINDS, 1) {
         let session = session(kind);
         let right = identified(&session);
         let n = session.samples.len();
@@ -105,7 +106,7 @@ fn a_target_that_moved_leaves_the_tool_where_the_others_say() {
 
 #[test]
 fn exchanged_names_are_put_right() {
-    for kind in KINDS {
+    for kind in cases(&KINDS, 1) {
         let session = session(kind);
         let right = identified(&session);
         let n = session.samples.len();
@@ -131,7 +132,7 @@ fn exchanged_names_are_put_right() {
 
 #[test]
 fn of_two_targets_that_disagree_none_says_where_the_tool_is() {
-    for kind in KINDS {
+    for kind in cases(&KINDS, 1) {
         let mut session = session(kind);
         let own = session.samples.target.clone().unwrap();
         let third = (0..own.len()).filter(|row| own[*row] == 2).collect();
