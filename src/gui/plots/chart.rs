@@ -6,11 +6,12 @@ use egui::{
     Align, Align2, Color32, FontId, Label, Layout, Painter, Pos2, Rect, Response, RichText, Role,
     Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
-use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
+use egui_plot::{Axis, Plot, PlotBounds, PlotPoint, PlotTransform};
 
 use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Ticks};
 use crate::present::drawing::Anchor;
 
+use crate::gui::charts::{Bar, Shown};
 use crate::gui::style::{Palette, size};
 use crate::gui::widgets::Words;
 use crate::gui::workbench::Workbench;
@@ -29,38 +30,49 @@ fn color(stands: ColourRole, palette: &Palette) -> Color32 {
     }
 }
 
-/// Shows a chart, and more on top of it: what was done with it, and where it is. Charts of another
-/// `id` are looked at anew.
+/// Shows a chart, rings around some samples, and a frame around the bars of one. Charts of another `id` are looked at
+/// anew.
 pub(crate) fn show(
     ui: &mut Ui,
     id: (&str, bool, u64),
-    chart: &Chart,
-    more: impl FnOnce(&Canvas<'_>, &mut Vec<Shape>),
+    shown: &Shown,
+    ringed: impl Iterator<Item = usize>,
+    framed: Option<usize>,
 ) -> (Response, PlotTransform) {
-    let palette = Palette::of(ui);
-    let alone = !chart
-        .items
-        .iter()
-        .any(|item| item.colour_role() == Some(ColourRole::After));
+    let (palette, chart) = (Palette::of(ui), &shown.chart);
     let beside = label_width(ui.painter(), chart, &palette);
     // No closer than their numbers need, which are left out otherwise.
     let room = (ui.available_width() - beside.max(40.0)) / 50.0;
     let most = f64::from(room.clamp(3.0, 9.0));
     let plot = plot(id, chart, beside, most, &palette);
     plots::show(ui, plot, chart.bounds, |painter, transform| {
-        let canvas = Canvas {
-            transform,
-            painter,
-            palette: &palette,
-            alone,
-        };
-        let mut shapes = Vec::new();
-        for item in &chart.items {
-            canvas.draw(item, &mut shapes);
+        let canvas = Canvas::new(transform, painter, &palette, chart);
+        let mut shapes = canvas.drawn(shown);
+        let at = |sample: usize| shown.series.iter().rev().find_map(|one| one.at(sample));
+        let ring = Stroke::new(2.5, palette.accent);
+        let ringed = ringed.filter_map(at);
+        shapes.extend(ringed.map(|at| Shape::circle_stroke(canvas.at(at), 8.0, ring)));
+        let of = |bar: &&Bar| framed.is_some_and(|one| bar.samples.binary_search(&one).is_ok());
+        for bar in shown.bars.iter().filter(of) {
+            let [from, to] = bar.x.map(|x| canvas.at([x, 0.0]).x);
+            let rect = Rect::from_x_y_ranges(from..=to, transform.frame().y_range());
+            let stroke = Stroke::new(2.0, palette.accent);
+            shapes.push(Shape::rect_stroke(rect, 2.0, stroke, StrokeKind::Inside));
         }
-        more(&canvas, &mut shapes);
         shapes
     })
+}
+
+/// A chart without its axes, so small that its marks are dots.
+pub(crate) fn sketch(painter: &Painter, room: Rect, shown: &Shown, palette: &Palette) {
+    let [low, high] = shown.chart.bounds;
+    let bounds = PlotBounds::from_min_max(low, high);
+    let transform = PlotTransform::new(room, bounds, false);
+    let canvas = Canvas {
+        scale: 0.45,
+        ..Canvas::new(&transform, painter, palette, &shown.chart)
+    };
+    painter.extend(canvas.drawn(shown));
 }
 
 /// Room for the words beside a chart, points; none where it has numbers.
@@ -104,23 +116,51 @@ fn plot<'a>(
 }
 
 /// What a chart is drawn on.
-pub(crate) struct Canvas<'a> {
-    pub(crate) transform: &'a PlotTransform,
+struct Canvas<'a> {
+    transform: &'a PlotTransform,
     painter: &'a Painter,
-    pub(crate) palette: &'a Palette,
+    palette: &'a Palette,
     /// Whether there is nothing after to be seen through what was before.
     alone: bool,
+    /// How large marks and how thick lines are.
+    scale: f32,
 }
 
 /// A dash and the gap after it, points.
 const DASH: [f32; 2] = [5.0, 3.5];
 
-impl Canvas<'_> {
-    pub(crate) fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
+impl<'a> Canvas<'a> {
+    fn new(
+        transform: &'a PlotTransform,
+        painter: &'a Painter,
+        palette: &'a Palette,
+        chart: &Chart,
+    ) -> Self {
+        let after = |item: &Item| item.colour_role() == Some(ColourRole::After);
+        Self {
+            transform,
+            painter,
+            palette,
+            alone: !chart.items.iter().any(after),
+            scale: 1.0,
+        }
+    }
+
+    fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
         self.transform.position_from_point(&PlotPoint::new(x, y))
     }
 
-    pub(crate) fn draw(&self, item: &Item, shapes: &mut Vec<Shape>) {
+    /// What is in sight of a chart.
+    fn drawn(&self, shown: &Shown) -> Vec<Shape> {
+        let bounds = self.transform.bounds();
+        let mut shapes = Vec::new();
+        for item in shown.in_sight([bounds.min()[0], bounds.max()[0]]) {
+            self.draw(&item, &mut shapes);
+        }
+        shapes
+    }
+
+    fn draw(&self, item: &Item, shapes: &mut Vec<Shape>) {
         let palette = self.palette;
         let color = item
             .colour_role()
@@ -149,7 +189,7 @@ impl Canvas<'_> {
             Item::Line(points, _, width, dashed) => {
                 let points = points.iter().map(|p| self.at(*p));
                 let points: Vec<Pos2> = points.filter(|p| p.is_finite()).collect();
-                let stroke = Stroke::new(*width, color);
+                let stroke = Stroke::new(*width * self.scale, color);
                 if *dashed {
                     shapes.extend(Shape::dashed_line(&points, stroke, DASH[0], DASH[1]));
                 } else {
@@ -166,6 +206,7 @@ impl Canvas<'_> {
                     (Color32::TRANSPARENT, edge, 3.2)
                 };
                 let places = marks.iter().map(|m| (self.at(m.at), m.form));
+                let radius = radius * self.scale;
                 let ctx = self.painter.ctx();
                 many(ctx, places, (radius, fill, stroke), shapes);
             }

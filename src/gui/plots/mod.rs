@@ -28,7 +28,7 @@ use crate::text::{Template, spoken, within};
 pub(crate) fn picture(ui: &mut Ui, plot: Picture, workbench: &Workbench) {
     let name = match plot {
         Picture::Workspace => say!("Workspace").to_owned(),
-        Picture::Chart(id) => charts::find(id).map_or_else(String::new, |c| c.about().name()),
+        Picture::Chart(id) => charts::find(id).map_or_else(String::new, |c| c.name()),
     };
     let says = say!("Save picture: {plot}…", plot = within(&name));
     let button = ui.icon_button(widgets::SAVE, &says);

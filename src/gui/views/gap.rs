@@ -3,21 +3,20 @@
 use std::borrow::Cow;
 
 use egui::{
-    Checkbox, CursorIcon, ProgressBar, Rect, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo,
+    Checkbox, CursorIcon, ProgressBar, RichText, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
     vec2,
 };
-use egui_plot::{PlotBounds, PlotPoint, PlotTransform};
 
 use crate::diagnosis::{Diagnosis, Verdict};
 use crate::effects::Term;
 use crate::explain::{Block, Detail, Section, Topic, found_effect};
 use crate::fit::Estimate;
 use crate::gui::actions;
-use crate::gui::charts::effect::{self, EffectCurve};
+use crate::gui::charts::{Shown, effect};
 use crate::gui::core::document::Method;
-use crate::gui::core::overview::stride;
 use crate::gui::core::search::term_of;
 use crate::gui::jobs::Running;
+use crate::gui::plots;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Step, What};
 use crate::gui::views::blocks::{self, curve_link, in_words};
@@ -342,7 +341,7 @@ fn effect_card(
     let (first, more) = section.blocks.split_at(rest.map_or(0, |rest| rest + 1));
     blocks::show(ui, first);
     match workbench.sketch(index) {
-        Some(curve) => sketch(ui, workbench, (index, curve)),
+        Some(shown) => sketch(ui, workbench, index, shown),
         None => curve_link(ui, workbench, index),
     }
     // The button that stands out is the one at the foot of the step, which adds all of them.
@@ -367,15 +366,13 @@ fn in_use(workbench: &Workbench, d: &Diagnosis, index: usize) -> Option<Section>
     (!sizes.is_empty()).then(|| found_effect(d, detail, index, &sizes))
 }
 
-/// Height of a small curve, points, and how many samples are behind it at most.
+/// Height of a small curve, points.
 const HIGH: f32 = 46.0;
-const MOST: usize = 240;
 
 /// What is left without the effect, and what it does; a click shows the chart of it.
-fn sketch(ui: &mut Ui, workbench: &Workbench, (index, curve): (usize, &EffectCurve)) {
+fn sketch(ui: &mut Ui, workbench: &Workbench, index: usize, curve: &Shown) {
     let palette = Palette::of(ui);
-    let view = &workbench.view;
-    let shown = workbench.shows(effect::ID) && view.effect == index;
+    let shown = workbench.shows(effect::ID) && workbench.view.effect == index;
     let sense = [Sense::click(), Sense::hover()][usize::from(shown)];
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), HIGH), sense);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, !shown, say!("Show its curve")));
@@ -385,42 +382,13 @@ fn sketch(ui: &mut Ui, workbench: &Workbench, (index, curve): (usize, &EffectCur
         palette.line
     };
     let round = f32::from(space::ROUND);
-    let inside = egui::StrokeKind::Inside;
+    let edge = Stroke::new(1.0, edge);
     ui.painter()
-        .rect(rect, round, palette.surface, Stroke::new(1.0, edge), inside);
-    ui.painter()
-        .extend(drawn(rect.shrink2(vec2(6.0, 4.0)), curve, &palette));
+        .rect(rect, round, palette.surface, edge, StrokeKind::Inside);
+    plots::chart::sketch(ui.painter(), rect.shrink(3.0), curve, &palette);
     response.does(workbench, move |bench| bench.show_effect(index));
     if !shown {
         let response = response.on_hover_cursor(CursorIcon::PointingHand);
         response.on_hover_text(say!("Show its curve"));
     }
-}
-
-fn drawn(room: Rect, curve: &EffectCurve, palette: &Palette) -> Vec<Shape> {
-    let [from, to] = curve.ends();
-    let [low, high] = curve.extent_mm;
-    let bounds = PlotBounds::from_min_max([from, low], [to, high]);
-    let transform = PlotTransform::new(room, bounds, false);
-    let at = |x: f64, mm: f64| transform.position_from_point(&PlotPoint::new(x, mm));
-    let zero = [at(from, 0.0), at(to, 0.0)];
-    let mut shapes = vec![Shape::line_segment(zero, Stroke::new(1.0, palette.line))];
-    let some = || curve.spots.iter().step_by(stride(curve.spots.len(), MOST));
-    let residual = palette.before.gamma_multiply(0.55);
-    shapes.extend(some().map(|s| Shape::circle_filled(at(s.x, s.residual_mm), 1.4, residual)));
-    if curve.lines.is_empty() {
-        shapes.extend(
-            some().map(|s| Shape::circle_filled(at(s.x, s.effect_mm), 1.6, palette.accent)),
-        );
-    }
-    let stroke = Stroke::new(1.8, palette.accent);
-    for line in &curve.lines {
-        let points: Vec<_> = line.points.iter().map(|[x, mm]| at(*x, *mm)).collect();
-        if line.side < 0.0 {
-            shapes.extend(Shape::dashed_line(&points, stroke, 4.0, 3.0));
-        } else {
-            shapes.push(Shape::line(points, stroke));
-        }
-    }
-    shapes
 }
