@@ -226,11 +226,7 @@ mod tests {
     fn the_curve_of_a_found_effect_is_charted_in_the_component_that_it_has() {
         let mut workbench = workbench();
         workbench.execute(|bench| bench.show_effect(0));
-        assert_eq!(
-            workbench.kind().id,
-            POSITION,
-            "nothing was found yet"
-        );
+        assert_eq!(workbench.kind().id, POSITION, "nothing was found yet");
         workbench.execute(Workbench::search);
         workbench.receive();
         workbench.execute(|bench| bench.view.component = Component::Axial);
