@@ -4,8 +4,7 @@ use super::{Bar, ChartChoice, ChartKind, ChartPlaceholder, Scene, Shown, of_nois
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
 use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
-use crate::present::chart::{Axis, Chart, ChartText, ColourRole, Item, LegendSymbol};
-use crate::present::drawing::Anchor;
+use crate::present::chart::{Axis, Chart, ColourRole, Entry, Item, LegendSymbol};
 use crate::present::numbers::grouped;
 use crate::present::table::{Cell, Table};
 use crate::sessions::Sigma;
@@ -173,20 +172,14 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         for end in ends.iter().filter(|end| **end > low && **end < high) {
             let line = vec![[value(*end), 0.0], [value(*end), top]];
             items.push(Item::Line(line, ColourRole::Tolerance, 1.6, false));
-            items.push(Item::Word(ChartText {
-                at: [value(*end), 0.995 * top],
-                text: format!(" {} ", say!("tolerance")),
-                anchor: if *end < 0.0 {
-                    Anchor::End
-                } else {
-                    Anchor::Start
-                },
-                below: true,
-            }));
         }
     }
     let margin = 0.02 * (high - low);
     let mut legend = scene.legend(LegendSymbol::Bar);
+    if scene.document.tolerance_mm.is_some() {
+        let (sign, role) = (LegendSymbol::Line, ColourRole::Tolerance);
+        legend.push(Entry::new(say!("tolerance"), sign, role, true));
+    }
     if noise.is_some() {
         legend.push(of_noise(say!("noise alone")));
     }

@@ -117,9 +117,7 @@ fn cloud() -> (Arc<Cloud>, Arc<Remainder>) {
         samples: (0..5).collect(),
         ..Cloud::default()
     };
-    let remainder = Remainder {
-        rows: ARROWS.iter().map(row).collect(),
-    };
+    let remainder: Remainder = ARROWS.iter().map(row).collect();
     (Arc::new(cloud), Arc::new(remainder))
 }
 

@@ -69,34 +69,29 @@ pub(crate) fn axis<'a>(
     }]
 }
 
-/// A chart's axis, with a word for each place where it has words, which take up so much room.
+/// A chart's axis, with a word for each place where it has words.
 pub(super) fn of_chart<'a>(
     side: Axis,
     of: &crate::present::chart::Axis,
     palette: &Palette,
-    width: f32,
 ) -> Vec<AxisHints<'a>> {
     let hints = axis(side, of.label.clone(), palette, |x| x);
-    let Ticks::Words(words) = &of.ticks else {
+    let Ticks::Words(words) = of.ticks.clone() else {
         return hints;
-    };
-    let words = words.clone();
-    let named = move |place: f64| {
-        let word = words.iter().find(|(at, _)| (at - place).abs() < 0.5);
-        word.map_or_else(String::new, |(_, word)| word.clone())
     };
     let color = match side {
         Axis::X => palette.muted,
         Axis::Y => palette.text,
     };
-    let with_words = |hint: AxisHints<'a>| {
-        let named = named.clone();
-        let hint = hint.label_spacing(Rangef::new(10.0, 16.0));
-        hint.min_thickness(width)
-            .tick_label_color(color)
-            .formatter(move |mark, _| named(mark.value))
+    let named = move |place: f64| {
+        let word = words.iter().find(|(at, _)| (at - place).abs() < 0.5);
+        word.map_or_else(String::new, |(_, word)| word.clone())
     };
-    hints.into_iter().map(with_words).collect()
+    let hint = hints.into_iter().next_back();
+    let hint = hint.map(|hint| hint.label_spacing(Rangef::new(10.0, 16.0)));
+    let hint = hint.map(|hint| hint.tick_label_color(color));
+    let named = hint.map(|hint| hint.formatter(move |mark, _| named(mark.value)));
+    Vec::from_iter(named)
 }
 
 /// Where a chart's axis has labels between two ends, at most about `most` of them.

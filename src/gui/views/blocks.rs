@@ -143,28 +143,18 @@ fn one_below_the_other(ui: &mut Ui, table: &Table) {
     for row in &table.rows {
         let mut cells = row.iter().zip(&table.columns);
         if let Some((first, column)) = cells.next() {
-            // A number alone says nothing; a name says what it is. Nothing stands for the name above.
             let name = in_a_line(&first.shown);
+            // A number alone says nothing; a name says what it is.
             let name = if name.starts_with(|c: char| c.is_ascii_digit()) {
                 format!("{} {name}", in_a_line(&column.heading))
             } else {
                 name
             };
-            if !name.trim().is_empty() {
-                ui.label(RichText::new(name.trim()).font(strong(size::SMALL)));
-            }
+            ui.label(RichText::new(name).font(strong(size::SMALL)));
         }
-        let rest = cells.filter(|(cell, _)| !["", "–"].contains(&cell.shown.as_str()));
-        let rest = rest.map(|(cell, column)| {
-            let (heading, cell) = (in_a_line(&column.heading), in_a_line(&cell.shown));
-            // The unit of a column is behind its number, as in a sentence.
-            match heading.split_once(", ").filter(|_| column.right) {
-                Some((heading, unit)) => format!("{heading} {cell} {unit}"),
-                None => format!("{heading} {cell}"),
-            }
-        });
-        let rest = rest.collect::<Vec<_>>().join("; ");
-        ui.hint(if rest.is_empty() { "–" } else { &rest });
+        for (cell, column) in cells.filter(|(cell, _)| !cell.shown.is_empty()) {
+            ui.fact(&in_a_line(&column.heading), in_a_line(&cell.shown));
+        }
     }
 }
 

@@ -33,9 +33,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
         ui.hint(say!("Open a session that was measured on this robot"));
         return;
     }
-    if workbench.searching().is_some() {
-        under_way_here(ui, workbench);
-        return;
+    if let Some(running) = workbench.searching() {
+        return under_way_here(ui, running, workbench);
     }
     if workbench.diagnosis().is_some() {
         let again = ui.secondary(say!("Run diagnosis again"));
@@ -73,10 +72,7 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
 }
 
 /// How far the search is; the results name what was found, where they are in sight.
-fn under_way_here(ui: &mut Ui, workbench: &Workbench) {
-    let Some(running) = workbench.searching() else {
-        return;
-    };
+fn under_way_here(ui: &mut Ui, running: &Running, workbench: &Workbench) {
     ui.section(say!("Diagnosis is running"));
     if !actions::layout(ui.ctx(), workbench).results() {
         names(ui, &running.found());
@@ -138,11 +134,17 @@ pub(super) fn findings(ui: &mut Ui, workbench: &Workbench) {
     ui.add_space(space::TIGHT);
     widgets::scroll(ui, "findings", |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
-        let beneath = if workbench.searching().is_some() {
-            under_way(ui, workbench);
+        let beneath = if let Some(running) = workbench.searching() {
+            let says = say!("Found so far; a likelier name may take the place of one");
+            so_far(ui, say!("Diagnosis is running"), says, &running.found());
             None
         } else {
-            stopped(ui, workbench);
+            if let Some(found) = workbench.stopped() {
+                let says = say!(
+                    "Found until then, not yet tested against other names: run the diagnosis again to test them"
+                );
+                so_far(ui, say!("Diagnosis stopped"), says, found);
+            }
             workbench.searched()
         };
         match beneath {
@@ -153,28 +155,7 @@ pub(super) fn findings(ui: &mut Ui, workbench: &Workbench) {
     });
 }
 
-/// A diagnosis is running: what it has found so far.
-fn under_way(ui: &mut Ui, workbench: &Workbench) {
-    let found = workbench.searching().map(Running::found);
-    let says = say!("Found so far; a likelier name may take the place of one");
-    so_far(
-        ui,
-        say!("Diagnosis is running"),
-        says,
-        &found.unwrap_or_default(),
-    );
-}
-
-/// What a diagnosis that was stopped had found until then.
-fn stopped(ui: &mut Ui, workbench: &Workbench) {
-    let says = say!(
-        "Found until then, not yet tested against other names: run the diagnosis again to test them"
-    );
-    if let Some(found) = workbench.stopped() {
-        so_far(ui, say!("Diagnosis stopped"), says, found);
-    }
-}
-
+/// What a diagnosis that is running has found so far, or one that was stopped until then.
 fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
     widgets::card(ui, |ui| {
         ui.bold(name);
@@ -309,12 +290,8 @@ fn one(ui: &mut Ui, workbench: &Workbench, term: &Term, d: &Diagnosis) {
         None => d.identified.iter().filter(of_this).collect(),
     };
     let units = workbench.units();
-    let joint = workbench
-        .loaded_session()
-        .session
-        .robot
-        .joints
-        .get(term.joint);
+    let joints = &workbench.loaded_session().session.robot.joints;
+    let joint = joints.get(term.joint);
     let kind = joint.map_or(JointKind::Revolute, |joint| joint.kind);
     for hidden in term.parameters_on(kind) {
         let (name, unit) = parameter(hidden.name);

@@ -1,7 +1,6 @@
 //! What the identification says, and how sure it is; before anything is identified what the samples cover, what can be
 //! seen in them and what comes next, so that it helps from the first minute on.
 
-use egui::text::{LayoutJob, TextFormat};
 use egui::{Checkbox, ProgressBar, RichText, Ui};
 
 use crate::compensation::decision::Outcome as Conformity;
@@ -86,22 +85,18 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         ui.weak(method);
         let [before, after] = [found.gap.before.rms_mm, found.gap.after.rms_mm].map(number);
         let unit = units.length_name();
-        // Inches have more digits than a narrow panel has room.
-        let line = format!("{before} → {after} {unit}");
-        let mut font = strong(size::DISPLAY);
-        if widgets::width_of(ui, &line, font.clone()) > ui.available_width() {
-            font = strong(size::HEADING);
-        }
-        let mut text = LayoutJob::default();
-        for (part, color) in [
-            (&*before, palette.before),
-            (" → ", palette.muted),
-            (&after, palette.after),
-            (&format!(" {unit}"), palette.muted),
-        ] {
-            text.append(part, 0.0, TextFormat::simple(font.clone(), color));
-        }
-        ui.label(text);
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 0.0;
+            for (part, color) in [
+                (&*before, palette.before),
+                (" → ", palette.muted),
+                (&after, palette.after),
+                (&format!(" {unit}"), palette.muted),
+            ] {
+                let part = RichText::new(part).font(strong(size::DISPLAY));
+                ui.label(part.color(color));
+            }
+        });
         let from_to = |ends: [f64; 2]| {
             let [before, after] = ends.map(number);
             format!("{before} → {after} {unit}")
