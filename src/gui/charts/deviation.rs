@@ -94,11 +94,8 @@ fn show(scene: &Scene, variable: Variable, kind: &ChartKind) -> Result<Shown, Ch
             component
         ),
     };
-    let mut shown = Shown::new(chart, name);
-    let bounds = shown.chart.bounds;
     let place = |[x, mm]: [f64; 2]| [scale.shown(x), scene.units.length_value(mm)];
-    let series = stages.iter().map(|one| Series::new(one, bounds, place));
-    shown.series = series.collect();
+    let mut shown = Shown::of(chart, name, &stages, place);
     shown.chart.note = note(scene, (x[0] == x[1]).then_some(over), &shown.series);
     Ok(shown)
 }

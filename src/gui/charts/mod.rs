@@ -132,6 +132,21 @@ pub(crate) struct Shown {
 }
 
 impl Shown {
+    /// With samples at their places.
+    fn of(
+        chart: Chart,
+        name: String,
+        stages: &[Stage],
+        place: impl Fn([f64; 2]) -> [f64; 2],
+    ) -> Self {
+        let series = stages.iter();
+        let series = series.map(|one| Series::new(one, chart.bounds, &place));
+        Self {
+            series: series.collect(),
+            ..Self::new(chart, name)
+        }
+    }
+
     fn new(chart: Chart, name: impl Into<String>) -> Self {
         Self {
             chart,

@@ -10,7 +10,7 @@
 use std::f64::consts::TAU;
 
 use super::deviation::{note, numbers};
-use super::{ChartChoice, ChartKind, ChartPlaceholder, Scene, Series, Shown};
+use super::{ChartChoice, ChartKind, ChartPlaceholder, Scene, Shown};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::help;
@@ -140,11 +140,7 @@ fn show(scene: &Scene) -> Result<Shown, ChartPlaceholder> {
         samples,
         polar = division
     );
-    let mut shown = Shown::new(chart, name);
-    let bounds = shown.chart.bounds;
-    let placed = |[q, mm]: [f64; 2]| place(q, mm / division_mm);
-    let series = stages.iter().map(|one| Series::new(one, bounds, placed));
-    shown.series = series.collect();
+    let mut shown = Shown::of(chart, name, &stages, |[q, mm]| place(q, mm / division_mm));
     shown.chart.note = note(scene, None, &shown.series);
     Ok(shown)
 }

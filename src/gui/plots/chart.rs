@@ -3,8 +3,8 @@
 
 use egui::epaint::Mesh;
 use egui::{
-    Align, Align2, Color32, FontId, Label, Layout, Painter, Pos2, Rect, Response, RichText, Role,
-    Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Align2, Color32, FontId, Label, Painter, Pos2, Rect, Response, RichText, Role, Sense, Shape,
+    Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use egui_plot::{Axis, Plot, PlotBounds, PlotPoint, PlotTransform};
 
@@ -234,19 +234,17 @@ impl<'a> Canvas<'a> {
 
 /// What stands in the place of a chart that cannot be drawn.
 pub(crate) fn empty(ui: &mut Ui, title: &str, why: &str) {
-    let room = ui.available_size();
-    let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, format!("{title}. {why}")));
-    let inner = rect.shrink2(vec2(24.0, 0.0));
-    let wide = inner.width().min(460.0);
-    let area = Rect::from_center_size(inner.center(), vec2(wide, inner.height()));
-    let top = area.top() + 0.3 * area.height();
-    let area = area.with_min_y(top);
-    let layout = Layout::top_down(Align::Center);
-    ui.scope_builder(egui::UiBuilder::new().max_rect(area).layout(layout), |ui| {
+    let high = ui.available_height();
+    let shown = ui.vertical_centered(|ui| {
+        ui.add_space(0.3 * high);
+        ui.set_max_width(460.0);
         ui.bold(title);
         ui.hint(why);
+        ui.take_available_height();
     });
+    let name = format!("{title}. {why}");
+    let response = shown.response;
+    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, name.clone()));
 }
 
 // The legend.

@@ -18,7 +18,7 @@ use crate::gui::charts;
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Plot as Picture;
 use crate::gui::view::What;
-use crate::gui::widgets::{self, Buttons, Does, Words};
+use crate::gui::widgets::{self, Buttons, Does};
 use crate::gui::workbench::Workbench;
 use crate::present::chart::{Form, Ticks, ticks};
 use crate::present::numbers::trimmed;
@@ -290,15 +290,9 @@ fn sound(plot: &PlotUi<'_>, closer: Vec2) -> bool {
 
 /// Four corners: shows everything again. Says how to look at a part.
 pub(crate) fn fit(ui: &mut Ui, name: &str) -> bool {
+    let says = format!("{name}\n{}", GESTURES.map(spoken).join("\n"));
     let button = ui.icon_button(widgets::FIT, name);
-    let response = button.on_hover_ui(|ui| {
-        ui.set_max_width(320.0);
-        ui.bold(name);
-        for gesture in GESTURES {
-            ui.label(RichText::new(spoken(gesture)).small());
-        }
-    });
-    response.clicked()
+    button.on_hover_text(says).clicked()
 }
 
 #[cfg(test)]

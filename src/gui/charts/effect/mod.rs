@@ -9,8 +9,9 @@ use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::present::chart::{
-    Axis, Chart, ColourRole, Entry, Form, Item, LEAST_SPAN, LegendSymbol, Mark,
+    self, ColourRole, Deviation, Entry, Form, Item, LegendSymbol, Mark,
 };
+use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
 use crate::text::{spoken, within};
 
@@ -99,70 +100,70 @@ fn name(curve: &EffectCurve) -> String {
 fn show(scene: &Scene) -> Result<Shown, ChartPlaceholder> {
     let curve = curve(scene)?;
     let (session, units) = (&scene.loaded_session, scene.units);
-    let value = |mm: f64| units.length_value(mm);
     let [from, to] = curve.ends();
     let scale = curve.over.scale(session, units, to - from);
-    let place = |[x, mm]: [f64; 2]| [scale.shown(x), value(mm)];
-    let [low, high] = curve.extent_mm;
-    let by = (0.08 * (high - low)).max(0.5 * LEAST_SPAN);
-    let least = 1e-3 + 1e-9 * from.abs().max(to.abs());
-    let beside = (0.03 * (to - from)).max(least);
-    let bounds = [[from - beside, low - by], [to + beside, high + by]].map(place);
-    let series = |role, mm: fn(&EffectSample) -> f64| {
+    let place = |[x, mm]: [f64; 2]| [scale.shown(x), units.length_value(mm)];
+    let stage = |role, mm: fn(&EffectSample) -> f64| {
         let mark = |spot: &EffectSample| Mark {
             at: [spot.x, mm(spot)],
             form: Form::of_side(spot.side),
         };
         let marks = curve.spots.iter().map(|spot| (spot.sample, mark(spot)));
-        Series::new(&(role, marks.collect()), bounds, place)
+        (role, marks.collect())
     };
-    let zero = vec![[bounds[0][0], 0.0], [bounds[1][0], 0.0]];
-    let mut items = vec![
-        Item::Line(zero, ColourRole::Reference, 1.0, false),
-        Item::Marks(Vec::new(), ColourRole::Before, false),
-    ];
+    let mut stages = vec![stage(ColourRole::Before, |spot| spot.residual_mm)];
+    let mut items = Vec::new();
     for line in &curve.lines {
         let points = line.points.iter().map(|at| place(*at)).collect();
         let dashed = line.side < 0.0;
         items.push(Item::Line(points, ColourRole::Curve, 2.4, dashed));
     }
-    let mut all = vec![series(ColourRole::Before, |spot| spot.residual_mm)];
     if curve.lines.is_empty() {
         items.push(Item::Marks(Vec::new(), ColourRole::Curve, true));
-        all.insert(0, series(ColourRole::Curve, |spot| spot.effect_mm));
+        stages.insert(0, stage(ColourRole::Curve, |spot| spot.effect_mm));
     }
     let what = name(&curve);
     let component = scene.component.name();
     let entry = |name, sign, whole| Entry::new(name, sign, ColourRole::Curve, whole);
     let (dot, line) = (LegendSymbol::Mark(Form::Disc), LegendSymbol::Line);
-    let residual = Entry::new(say!("without it"), dot, ColourRole::Before, false);
-    let mut legend = vec![residual.on_paper(say!("without {effect}", effect = what))];
-    match &curve.lines[..] {
-        [] => legend.push(entry(say!("what it does"), dot, true).on_paper(&*what)),
-        [_] => legend.push(entry(say!("what it does"), line, true).on_paper(&*what)),
-        _ => legend.extend([
+    let entry_of_residual = Entry::new(say!("without it"), dot, ColourRole::Before, false)
+        .on_paper(say!("without {effect}", effect = what));
+    let number = |mm: f64| significant(units.length_value(mm), 3);
+    let made = Deviation {
+        component,
+        is_length: false,
+        across: scale.axis(&curve.over.label(session)),
+        lengths: scene.lengths(&number),
+        x: [from, to].map(|x| scale.shown(x)),
+        mm: curve.extent_mm,
+        sides: false,
+        tolerance_mm: None,
+        floor_mm: None,
+        boundaries: Vec::new(),
+        series: vec![chart::Series {
+            entry: entry_of_residual,
+            samples: Vec::new(),
+        }],
+    };
+    let title = say!(
+        "{component} residual without {effect}, and what it does",
+        component,
+        effect = what
+    );
+    let mut chart = made.chart(title, String::new());
+    chart.items.extend(items);
+    chart.legend.extend(match &curve.lines[..] {
+        [] => vec![entry(say!("what it does"), dot, true).on_paper(&*what)],
+        [_] => vec![entry(say!("what it does"), line, true).on_paper(&*what)],
+        _ => vec![
             entry(say!("approach +"), line, true),
             entry(say!("approach −"), line, false),
-        ]),
-    }
-    let chart = Chart {
-        title: say!(
-            "{component} residual without {effect}, and what it does",
-            component,
-            effect = what
-        ),
-        across: scale.axis(&curve.over.label(session)),
-        upwards: Axis::numbers(format!("{component}, {}", units.length_name())),
-        bounds,
-        items,
-        legend,
-        note: note(scene, &curve, &all),
-    };
+        ],
+    });
     let name = say!("curve of {curve}, {component}", curve = what, component);
-    Ok(Shown {
-        series: all,
-        ..Shown::new(chart, name)
-    })
+    let mut shown = Shown::of(chart, name, &stages, place);
+    shown.chart.note = note(scene, &curve, &shown.series);
+    Ok(shown)
 }
 
 fn note(scene: &Scene, curve: &EffectCurve, series: &[Series]) -> String {
