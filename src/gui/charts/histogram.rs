@@ -3,7 +3,7 @@
 use super::{Bar, ChartChoice, ChartKind, ChartPlaceholder, Scene, Shown, of_noise};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
-use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
+use crate::present::bins::{Counted, Distribution, NoiseCurve};
 use crate::present::chart::{Axis, Chart, ColourRole, Entry, Item, LegendSymbol};
 use crate::present::numbers::grouped;
 use crate::present::table::{Cell, Table};
@@ -94,35 +94,25 @@ fn bars(scene: &Scene, counted: &Counted) -> Vec<Bar> {
 /// How noise alone is spread in the component that is shown, where the noise is known: as the
 /// instrument says, else as the residuals show it.
 fn noise(scene: &Scene) -> Option<NoiseCurve> {
-    let loaded_session = &scene.loaded_session;
-    let planar = loaded_session.session.samples.z_mm.is_none();
-    let count = if planar { 2 } else { 3 };
-    let mean = |axes: [f64; 3]| {
-        let squares = axes[..count].iter().map(|s| s * s).sum::<f64>();
-        (squares / count as f64).sqrt()
+    let session = &scene.loaded_session.session;
+    let count = if session.samples.z_mm.is_none() { 2 } else { 3 };
+    let axes = match session.instrument.sigma_mm {
+        Some(Sigma::Overall(sigma)) => [sigma; 3],
+        Some(Sigma::PerAxis(axes)) => axes,
+        None => scene.answer()?.identification.noise_mm?,
     };
-    let along = |axes: [f64; 3]| match scene.component {
+    let squares = axes[..count].iter().map(|s| s * s).sum::<f64>();
+    let sigma_mm = match scene.component {
         Component::X => axes[0],
         Component::Y => axes[1],
         Component::Z => axes[2],
-        _ => mean(axes),
-    };
-    let found = || scene.answer().and_then(|a| a.identification.noise_mm);
-    let sigma_mm = match loaded_session.session.instrument.sigma_mm {
-        Some(Sigma::Overall(sigma)) => sigma,
-        Some(Sigma::PerAxis(axes)) => along(axes),
-        None => along(found()?),
+        _ => (squares / count as f64).sqrt(),
     };
     let length = scene.component == Component::Length;
     (sigma_mm.is_finite() && sigma_mm > 0.0).then_some(NoiseCurve {
         sigma_mm,
         axes: if length { count } else { 1 },
     })
-}
-
-/// The noise curve, where bins are narrow enough to show it.
-fn curve(scene: &Scene, bins: &Bins) -> Option<NoiseCurve> {
-    noise(scene).filter(|noise| bins.width_mm <= SHARP * noise.sigma_mm)
 }
 
 fn drawn(scene: &Scene, found: &Distribution) -> Chart {
@@ -148,9 +138,8 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         items.push(Item::Bars(bars.collect(), stands, filled));
     }
     let [low, high] = bins.span();
-    let component = scene.component;
     let mut tallest = most;
-    let noise = curve(scene, &bins);
+    let noise = noise(scene).filter(|noise| bins.width_mm <= SHARP * noise.sigma_mm);
     if let Some(noise) = noise {
         let samples = found.sizes_before.within(0.0).1;
         let at = |k: usize| low + (high - low) * k as f64 / FINE as f64;
@@ -162,28 +151,24 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         items.push(Item::Line(points, ColourRole::Noise, 1.8, true));
     }
     let top = 1.2 * tallest;
-    if let Some(tolerance) = scene.document.tolerance_mm {
-        let both = [-tolerance, tolerance];
-        let ends = if component == Component::Length {
-            &both[1..]
-        } else {
-            &both[..]
-        };
-        for end in ends.iter().filter(|end| **end > low && **end < high) {
-            let line = vec![[value(*end), 0.0], [value(*end), top]];
-            items.push(Item::Line(line, ColourRole::Tolerance, 1.6, false));
-        }
-    }
-    let margin = 0.02 * (high - low);
     let mut legend = scene.legend(LegendSymbol::Bar);
-    if scene.document.tolerance_mm.is_some() {
+    // A length has no other side: its bins begin at zero.
+    let both = scene.document.tolerance_mm.map(|mm| [-mm, mm]);
+    let ends = both.into_iter().flatten();
+    let ends = ends.filter(|end| *end > low && *end < high);
+    let line = |end: f64| vec![[value(end), 0.0], [value(end), top]];
+    let lines = ends.map(|end| Item::Line(line(end), ColourRole::Tolerance, 1.6, false));
+    let lines: Vec<Item> = lines.collect();
+    if !lines.is_empty() {
         let (sign, role) = (LegendSymbol::Line, ColourRole::Tolerance);
         legend.push(Entry::new(say!("tolerance"), sign, role, true));
     }
+    items.extend(lines);
+    let margin = 0.02 * (high - low);
     if noise.is_some() {
         legend.push(of_noise(say!("noise alone")));
     }
-    let name = component.name();
+    let name = scene.component.name();
     Chart {
         title: say!("samples by {name} deviation", name),
         across: Axis::numbers(say!(

@@ -3,12 +3,12 @@
 
 use egui::epaint::Mesh;
 use egui::{
-    Align2, Color32, FontId, Label, Painter, Pos2, Rect, Response, RichText, Role, Sense, Shape,
-    Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Align, Align2, Color32, FontId, Label, Painter, Pos2, Rect, Response, RichText, Role, Sense,
+    Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use egui_plot::{Axis, Plot, PlotBounds, PlotPoint, PlotTransform};
 
-use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Ticks};
+use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Mark, Ticks};
 use crate::present::drawing::Anchor;
 
 use crate::gui::charts::{Bar, Shown};
@@ -16,7 +16,7 @@ use crate::gui::style::{Palette, size};
 use crate::gui::widgets::Words;
 use crate::gui::workbench::Workbench;
 
-use crate::gui::plots::{self, many, mark, of_chart, places};
+use crate::gui::plots::{self, mark, of_chart, places};
 
 /// What something that stands for this is drawn in.
 fn color(stands: ColourRole, palette: &Palette) -> Color32 {
@@ -189,26 +189,19 @@ impl<'a> Canvas<'a> {
                     let edge = Stroke::new(1.2, color.gamma_multiply(0.75));
                     (Color32::TRANSPARENT, edge, 3.2)
                 };
-                let places = marks.iter().map(|m| (self.at(m.at), m.form));
                 let radius = radius * self.scale;
-                let ctx = self.painter.ctx();
-                many(ctx, places, (radius, fill, stroke), shapes);
+                let mark = |one: &Mark| mark(self.at(one.at), radius, one.form, fill, stroke);
+                shapes.extend(marks.iter().map(mark));
             }
             Item::Word(word) => {
                 let font = FontId::proportional(size::SMALL);
                 let galley = self.painter.layout_no_wrap(word.text.clone(), font, color);
-                let [across, upwards] = [
-                    match word.anchor {
-                        Anchor::Start => egui::Align::Min,
-                        Anchor::Middle => egui::Align::Center,
-                        Anchor::End => egui::Align::Max,
-                    },
-                    if word.below {
-                        egui::Align::Min
-                    } else {
-                        egui::Align::Center
-                    },
-                ];
+                let across = match word.anchor {
+                    Anchor::Start => Align::Min,
+                    Anchor::Middle => Align::Center,
+                    Anchor::End => Align::Max,
+                };
+                let upwards = [Align::Center, Align::Min][usize::from(word.below)];
                 let anchor = Align2([across, upwards]);
                 let rect = anchor.anchor_size(self.at(word.at), galley.size());
                 shapes.push(Shape::galley(rect.min, galley, color));

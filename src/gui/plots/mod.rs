@@ -7,7 +7,6 @@ pub(crate) mod chart;
 use std::fmt::Debug;
 use std::hash::Hash;
 
-use egui::epaint::{Mesh, Tessellator, Vertex};
 use egui::{
     Color32, Context, FontId, Painter, Pos2, Rangef, Response, RichText, Role, Shape, Stroke, Ui,
     Vec2, WidgetInfo, vec2,
@@ -134,16 +133,9 @@ fn steps((low, high): (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {
 const DIAMOND: [[f32; 2]; 4] = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
 const TRIANGLE: [[f32; 2]; 3] = [[1.25, 0.0], [-0.75, 1.1], [-0.75, -1.1]];
 
-/// The same of this radius about a point, looking that way.
-fn corners_of(corners: &[[f32; 2]], at: Pos2, radius: f32, ahead: Vec2) -> Vec<Pos2> {
-    let across = vec2(-ahead.y, ahead.x);
-    let corner = |[x, y]: &[f32; 2]| at + (ahead * *x + across * *y) * radius;
-    corners.iter().map(corner).collect()
-}
-
 /// A mark of a chart.
 pub(crate) fn mark(at: Pos2, radius: f32, form: Form, fill: Color32, stroke: Stroke) -> Shape {
-    let corners = match form {
+    let (corners, radius): (&[[f32; 2]], f32) = match form {
         Form::Disc => {
             return Shape::Circle(egui::epaint::CircleShape {
                 center: at,
@@ -152,67 +144,12 @@ pub(crate) fn mark(at: Pos2, radius: f32, form: Form, fill: Color32, stroke: Str
                 stroke,
             });
         }
-        Form::Diamond => corners_of(&DIAMOND, at, 1.3 * radius, vec2(1.0, 0.0)),
-        Form::Forwards => corners_of(&TRIANGLE, at, radius, vec2(1.0, 0.0)),
-        Form::Backwards => corners_of(&TRIANGLE, at, radius, vec2(-1.0, 0.0)),
+        Form::Diamond => (&DIAMOND, 1.3 * radius),
+        Form::Forwards => (&TRIANGLE, radius),
+        Form::Backwards => (&TRIANGLE, -radius),
     };
-    Shape::convex_polygon(corners, fill, stroke)
-}
-
-/// Adds many marks that look alike but for their form. Paths are one mesh: each form is tessellated once and then
-/// set down wherever it stands, at a tenth of what as many paths cost. Filled discs stay shapes, since epaint has
-/// them in its atlas of glyphs, which may grow until the frame ends.
-pub(crate) fn many(
-    ctx: &Context,
-    places: impl ExactSizeIterator<Item = (Pos2, Form)>,
-    (radius, fill, stroke): (f32, Color32, Stroke),
-    shapes: &mut Vec<Shape>,
-) {
-    let following = places.len();
-    let options = ctx.tessellation_options(|options| *options);
-    // No text and no prepared disc is among them.
-    let mut tessellator = Tessellator::new(ctx.pixels_per_point(), options, [1, 1], Vec::new());
-    let mut stamps: Vec<(Form, Mesh)> = Vec::new();
-    let mut mesh = Mesh::default();
-    for (at, form) in places {
-        if form == Form::Disc && fill != Color32::TRANSPARENT {
-            shapes.push(mark(at, radius, form, fill, stroke));
-            continue;
-        }
-        let known = stamps.iter().position(|(of, _)| *of == form);
-        let stamp = known.unwrap_or_else(|| {
-            let mut stamp = Mesh::default();
-            let shape = mark(Pos2::ZERO, radius, form, fill, stroke);
-            tessellator.tessellate_shape(shape, &mut stamp);
-            // Room for those that follow, as if all looked like this one.
-            if stamps.is_empty() {
-                mesh.vertices.reserve(following * stamp.vertices.len());
-                mesh.indices.reserve(following * stamp.indices.len());
-            }
-            stamps.push((form, stamp));
-            stamps.len() - 1
-        });
-        set_down(&mut mesh, &stamps[stamp].1, at);
-    }
-    if !mesh.is_empty() {
-        shapes.push(Shape::mesh(mesh));
-    }
-}
-
-/// Adds a mesh about the origin, moved to a place.
-fn set_down(mesh: &mut Mesh, stamp: &Mesh, at: Pos2) {
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "as many as the indices of a mesh can name"
-    )]
-    let first = mesh.vertices.len() as u32;
-    mesh.indices
-        .extend(stamp.indices.iter().map(|index| first + index));
-    let moved = |vertex: &Vertex| Vertex {
-        pos: vertex.pos + at.to_vec2(),
-        ..*vertex
-    };
-    mesh.vertices.extend(stamp.vertices.iter().map(moved));
+    let corners = corners.iter().map(|[x, y]| at + vec2(*x, *y) * radius);
+    Shape::convex_polygon(corners.collect(), fill, stroke)
 }
 
 /// What the mouse does.
@@ -298,7 +235,6 @@ pub(crate) fn fit(ui: &mut Ui, name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use egui::pos2;
 
     #[test]
     fn lines_are_round_in_the_unit_in_which_they_are_written() {
@@ -308,40 +244,6 @@ mod tests {
         assert_eq!(inches.len(), 7, "{inches:?}");
         for inch in inches {
             assert!((inch / 5.0 - (inch / 5.0).round()).abs() < 1e-9, "{inch}");
-        }
-    }
-
-    #[test]
-    fn many_marks_are_what_each_of_them_would_be() {
-        let ctx = Context::default();
-        let forms = [
-            Form::Diamond,
-            Form::Forwards,
-            Form::Disc,
-            Form::Backwards,
-            Form::Forwards,
-        ];
-        let at = |k: usize| pos2(10.0 + 7.3 * k as f32, 20.0 - 3.1 * k as f32);
-        let places = || forms.iter().enumerate().map(|(k, form)| (at(k), *form));
-        let stroke = Stroke::new(1.2, Color32::RED);
-        for (fill, apart) in [(Color32::TRANSPARENT, 0), (Color32::BLUE, 1)] {
-            let mut shapes = Vec::new();
-            many(&ctx, places(), (3.2, fill, stroke), &mut shapes);
-            let Some(Shape::Mesh(all)) = shapes.pop() else {
-                panic!("the last is the mesh");
-            };
-            assert_eq!(shapes.len(), apart, "discs");
-            let options = ctx.tessellation_options(|options| *options);
-            let mut tessellator = Tessellator::new(1.0, options, [1, 1], Vec::new());
-            let mut each = Mesh::default();
-            for (at, form) in places().filter(|(_, form)| apart == 0 || *form != Form::Disc) {
-                tessellator.tessellate_shape(mark(at, 3.2, form, fill, stroke), &mut each);
-            }
-            assert_eq!(all.indices, each.indices);
-            assert_eq!(all.vertices.len(), each.vertices.len());
-            for (a, b) in all.vertices.iter().zip(&each.vertices) {
-                assert!(a.pos.distance(b.pos) < 1e-4 && a.color == b.color && a.uv == b.uv);
-            }
         }
     }
 }
