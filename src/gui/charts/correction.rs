@@ -9,6 +9,7 @@ use crate::gui::core::quantity::Scale;
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::kinematics::JointKind;
+use crate::numeric::extent;
 use crate::present::chart::{Axis, Chart, ColourRole, Item, LEAST_SPAN};
 use crate::present::table::{Table, cell};
 use crate::present::units::Units;
@@ -72,8 +73,7 @@ fn curve(column: &SortedTable, factor: f64) -> Vec<[f64; 2]> {
 /// What the upward axis has to show: zero, every correction, and no less than can be read. A
 /// constant correction is a straight line then, not the noise of its last digit.
 fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>, least: f64) -> [f64; 2] {
-    let finite = points.map(|p| p[1]).filter(|v| v.is_finite());
-    let [low, high] = finite.fold([0.0_f64, 0.0_f64], |[a, b], v| [a.min(v), b.max(v)]);
+    let [low, high] = extent(points.map(|p| p[1]).chain([0.0]));
     let more = 0.5 * (least - (high - low)).max(0.0);
     [low - more, high + more]
 }

@@ -10,7 +10,7 @@
 use std::f64::consts::TAU;
 
 use super::deviation::{note, numbers};
-use super::{ChartChoice, ChartKind, ChartPlaceholder, Scene, Shown};
+use super::{ChartChoice, ChartKind, Scene, Shown};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::help;
@@ -36,9 +36,13 @@ const CHORDS: u32 = 180;
 pub(crate) static POLAR: ChartKind = ChartKind {
     // A deviation of several joints belongs to no single angle, and a length closes no circle.
     is_offered: |scene| scene.loaded_session.single_revolute() && !scene.loaded_session.is_empty(),
-    ..ChartKind::new("polar", help::POLAR, ChartChoice::Component, show, |scene| {
-        numbers(scene, Variable::Joint)
-    })
+    ..ChartKind::new(
+        "polar",
+        help::POLAR,
+        ChartChoice::Component,
+        |scene| Ok(show(scene)),
+        |scene| numbers(scene, Variable::Joint),
+    )
 };
 
 /// So many divisions from the nominal circle, never on the other side of the middle.
@@ -91,7 +95,7 @@ fn band(scene: &Scene, division_mm: f64) -> Option<[f64; 2]> {
     Some([if is_length { 0.0 } else { -high }, high])
 }
 
-fn show(scene: &Scene) -> Result<Shown, ChartPlaceholder> {
+fn show(scene: &Scene) -> Shown {
     let variable = Variable::Joint;
     let stages = scene.stages(Over { variable, joint: 0 });
     let all = || stages.iter().flat_map(|(_, marks)| marks);
@@ -142,7 +146,7 @@ fn show(scene: &Scene) -> Result<Shown, ChartPlaceholder> {
     );
     let mut shown = Shown::of(chart, name, &stages, |[q, mm]| place(q, mm / division_mm));
     shown.chart.note = note(scene, None, &shown.series);
-    Ok(shown)
+    shown
 }
 
 /// The smallest of 1, 2, 5 × 10ⁿ that is not below `value`; 0 for nothing.
@@ -179,7 +183,7 @@ mod tests {
     }
 
     fn shown(workbench: &Workbench) -> Shown {
-        show(&workbench.scene()).expect("it is shown")
+        show(&workbench.scene())
     }
 
     #[test]

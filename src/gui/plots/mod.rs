@@ -13,7 +13,7 @@ use egui::{
 };
 use egui_plot::{Axis, AxisHints, GridMark, Plot, PlotResponse, PlotTransform, PlotUi};
 
-use crate::gui::charts;
+use crate::gui::charts::{self, ChartKind};
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Plot as Picture;
 use crate::gui::view::What;
@@ -27,7 +27,7 @@ use crate::text::{Template, spoken, within};
 pub(crate) fn picture(ui: &mut Ui, plot: Picture, workbench: &Workbench) {
     let name = match plot {
         Picture::Workspace => say!("Workspace").to_owned(),
-        Picture::Chart(id) => charts::find(id).map_or_else(String::new, |c| c.name()),
+        Picture::Chart(id) => charts::find(id).map_or_else(String::new, ChartKind::name),
     };
     let says = say!("Save picture: {plot}…", plot = within(&name));
     let button = ui.icon_button(widgets::SAVE, &says);

@@ -150,9 +150,12 @@ fn one_below_the_other(ui: &mut Ui, table: &Table) {
             } else {
                 name
             };
-            ui.label(RichText::new(name).font(strong(size::SMALL)));
+            // Nothing stands for the name above.
+            if !name.is_empty() {
+                ui.label(RichText::new(name).font(strong(size::SMALL)));
+            }
         }
-        for (cell, column) in cells.filter(|(cell, _)| !cell.shown.is_empty()) {
+        for (cell, column) in cells.filter(|(cell, _)| !["", "–"].contains(&&*cell.shown)) {
             ui.fact(&in_a_line(&column.heading), in_a_line(&cell.shown));
         }
     }

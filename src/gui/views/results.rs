@@ -255,16 +255,13 @@ fn about(ui: &mut Ui, workbench: &Workbench, given: &LoadedModel) {
         ui.fact(say!("identified from"), &calibration.session);
         let joints = &calibration.model.robot.joints;
         for (joint, range) in joints.iter().zip(&calibration.measured) {
-            let [from, to] = [range.from, range.to].map(|q| {
-                let value = trimmed(joint.kind.to_display(q), 2);
-                format!("{value}{}", joint.kind.sign())
-            });
-            let measured = format!("{from} … {to}");
+            let ends = [range.from, range.to].map(|q| trimmed(joint.kind.to_display(q), 2));
+            let [from, to] = ends.map(|value| value + joint.kind.sign());
             let name = match joints.len() {
                 1 => say!("measured").to_owned(),
                 _ => say!("measured, {joint}", joint = joint.name),
             };
-            ui.fact(&name, measured);
+            ui.fact(&name, format!("{from} … {to}"));
         }
         if workbench.loaded_session().is_empty() {
             ui.hint(say!("Open a session that was measured on this robot"));

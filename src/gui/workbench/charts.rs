@@ -26,7 +26,7 @@ impl Workbench {
     fn suiting(&self) -> &'static ChartKind {
         let scene = self.scene();
         let suits = |chart: &&&ChartKind| (chart.is_offered)(&scene) && (chart.suits)(&scene);
-        *CHARTS.iter().rfind(suits).unwrap_or(&CHARTS[0])
+        CHARTS.iter().rfind(suits).unwrap_or(&CHARTS[0])
     }
 
     /// Whether this is the chart that is shown.
