@@ -8,9 +8,7 @@ use crate::gui::charts::{
 use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::gui::view::Step;
-use crate::present::chart::{
-    self, ColourRole, Deviation, Entry, Form, Item, LegendSymbol, Mark,
-};
+use crate::present::chart::{self, ColourRole, Deviation, Entry, Form, Item, LegendSymbol, Mark};
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
 use crate::text::{spoken, within};
