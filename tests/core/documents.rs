@@ -475,7 +475,7 @@ fn the_exercises_apply_to_the_sources_as_they_are() {
         (
             "src/gui/charts/cumulative.rs",
             "src/gui/charts/mod.rs",
-            "cumulative: Cumulative;",
+            "cumulative: CUMULATIVE;",
         ),
     ] {
         assert!(source.join(file).exists(), "{file}");

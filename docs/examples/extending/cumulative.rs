@@ -5,62 +5,51 @@
 //! share_i = i / n,      |e|_1 ≤ |e|_2 ≤ …
 //! ```
 
-use std::sync::Arc;
-
-use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
+use super::{ChartChoice, ChartKind, ChartPlaceholder, Scene, Shown};
 use crate::gui::help::Word;
 use crate::present::chart::{Axis, Chart, ColourRole, Entry, Item, LEAST_SPAN, LegendSymbol};
 use crate::present::table::{Cell, Table};
 
-pub(crate) struct Cumulative;
+pub(crate) static CUMULATIVE: ChartKind = ChartKind::new(
+    "cumulative deviations",
+    Word {
+        name: phrase!("Cumulative deviations"),
+        means: phrase!(
+            "The share of the samples whose deviation is no larger than a length: where the curve passes 95 % is the deviation that one of twenty samples exceeds"
+        ),
+    },
+    ChartChoice::Component,
+    show,
+    numbers,
+);
 
 /// Lengths in ascending order, mm.
 struct Sorted(Vec<f64>);
 
-impl ChartKind for Cumulative {
-    fn about(&self) -> About {
-        let word = Word {
-            name: phrase!("Cumulative deviations"),
-            means: phrase!(
-                "The share of the samples whose deviation is no larger than a length: where the curve passes 95 % is the deviation that one of twenty samples exceeds"
-            ),
-        };
-        About::new(
-            "cumulative deviations",
-            word.name,
-            word,
-            ChartChoice::Component,
-        )
+fn show(scene: &Scene) -> Result<Shown, ChartPlaceholder> {
+    let sorted = Sorted::of_what_is_left(scene);
+    if sorted.0.is_empty() {
+        return Err(ChartPlaceholder::new(
+            say!("No sample can be counted"),
+            say!("Every sample lacks a joint value or a coordinate"),
+        ));
     }
+    Ok(Shown::new(
+        sorted.drawn(scene),
+        say!("cumulative deviations"),
+    ))
+}
 
-    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
-        let sorted = Sorted::of_what_is_left(scene);
-        if sorted.0.is_empty() {
-            return Err(ChartPlaceholder::new(
-                say!("No sample can be counted"),
-                say!("Every sample lacks a joint value or a coordinate"),
-            ));
-        }
-        let at = scene.units.length(sorted.at(0.95));
-        Ok(Shown {
-            chart: sorted.drawn(scene),
-            name: say!("cumulative deviations").to_owned(),
-            description: say!("95 % of the samples deviate by {at} or less", at = at),
-            pointed: HoverTarget::Nothing,
-        })
+fn numbers(scene: &Scene) -> Table {
+    let mut table = Table::headed("share | deviation, mm");
+    let sorted = Sorted::of_what_is_left(scene).0;
+    for (i, mm) in sorted.iter().enumerate() {
+        table.row([
+            Cell::from((i + 1) as f64 / sorted.len() as f64),
+            (*mm).into(),
+        ]);
     }
-
-    fn numbers(&self, scene: &Scene) -> Table {
-        let mut table = Table::headed("share | deviation, mm");
-        let sorted = Sorted::of_what_is_left(scene).0;
-        for (i, mm) in sorted.iter().enumerate() {
-            table.row([
-                Cell::from((i + 1) as f64 / sorted.len() as f64),
-                (*mm).into(),
-            ]);
-        }
-        table
-    }
+    table
 }
 
 impl Sorted {
@@ -102,7 +91,10 @@ impl Sorted {
                 false,
             )],
             legend: vec![Entry::after(LegendSymbol::Line)],
-            note: String::new(),
+            note: say!(
+                "95 % of the samples deviate by {at} or less",
+                at = scene.units.length(self.at(0.95))
+            ),
         }
     }
 }

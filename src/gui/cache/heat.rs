@@ -8,10 +8,7 @@
 //! ```
 //!
 //! over the cells c that hold a sample; the nearest of them decides how far the map reaches, however
-//! many there are. σ is half of what lies between neighbouring places, within bounds: neighbours run
-//! into one another, and what is farther from all of them than they are apart stays empty. A cell
-//! keeps three mean products, |b|², b·a and |a|² of
-//! the deviations before and after: the map at any blend t between them is exactly
+//! many there are. A cell keeps three mean products, |b|², b·a and |a|² of the deviations before and after: the map at any blend t between them is exactly
 //! √((1−t)² |b|² + 2t(1−t) b·a + t² |a|²), so that blending needs no new map. Cells follow the
 //! nominal robot's extent: a sample that was measured far away cannot stretch the map.
 
@@ -23,12 +20,8 @@ use crate::numeric::{single, whole};
 
 /// Cells along the longer side of what the robot reached.
 const CELLS: f64 = 144.0;
-/// Bounds of the Gaussian's σ, in parts of that side.
-const SIGMA: [f64; 2] = [0.03, 0.06];
-/// σ in distances between neighbouring places.
-const OF_SPACING: f64 = 0.5;
-/// More places than these lie as close as the smallest σ asks for, and are not compared.
-const FEW_PLACES: usize = 1500;
+/// The Gaussian's σ, cells: neighbours of a coarse session run into one another.
+pub(crate) const SIGMA: f64 = 0.045 * CELLS;
 /// The Gaussian ends at so many σ.
 const END: f64 = 4.5;
 
@@ -38,8 +31,6 @@ pub(crate) struct Heat {
     pub(crate) first_mm: [f64; 2],
     /// Width of a cell, mm.
     pub(crate) cell_mm: f64,
-    /// The Gaussian's σ, mm.
-    pub(crate) sigma_mm: f64,
     /// Number of cells to the right and up.
     pub(crate) size: [usize; 2],
     /// |b|², b·a, |a|², mm², and the opacity, row by row from below.
@@ -62,9 +53,7 @@ impl Heat {
             return None;
         }
         let cell_mm = side / CELLS;
-        let places = places(loaded_session, [right, up], [low[right], low[up]], cell_mm);
-        let sigma = (OF_SPACING * spacing(&places)).clamp(SIGMA[0] * CELLS, SIGMA[1] * CELLS);
-        let margin = (END * sigma).ceil();
+        let margin = (END * SIGMA).ceil();
         let size = extent.map(|e| whole((e / cell_mm).ceil() + 2.0 * margin) + 1);
         let first_mm = [low[right] - margin * cell_mm, low[up] - margin * cell_mm];
         let mut sums = vec![[0.0_f64; 5]; size[0] * size[1]];
@@ -95,60 +84,17 @@ impl Heat {
         Some(Self {
             first_mm,
             cell_mm,
-            sigma_mm: sigma * cell_mm,
             size,
-            cells: smoothed(&sums, size, sigma),
+            cells: smoothed(&sums, size),
         })
     }
 }
 
-/// The cells in which something was measured, each once, counted from the nominal robot's lowest
-/// corner.
-fn places(
-    loaded_session: &LoadedSession,
-    axes: [usize; 2],
-    low_mm: [f64; 2],
-    cell_mm: f64,
-) -> Vec<[f64; 2]> {
-    let side = whole(CELLS) + 1;
-    let mut seen = vec![false; side * side];
-    let mut places = Vec::new();
-    for sample in &loaded_session.overview.usable {
-        let at = loaded_session.measured(*sample as usize);
-        let cell = [0, 1].map(|k| ((at[axes[k]] - low_mm[k]) / cell_mm).round());
-        if cell.iter().all(|c| (0.0..side as f64).contains(c)) {
-            let [x, y] = cell.map(whole);
-            if !std::mem::replace(&mut seen[x + side * y], true) {
-                places.push(cell);
-            }
-        }
-    }
-    places
-}
-
-/// The median distance from a place to its nearest neighbour, cells; 0 where they are many.
-fn spacing(places: &[[f64; 2]]) -> f64 {
-    if places.len() > FEW_PLACES {
-        return 0.0;
-    }
-    let nearest = |i: usize| {
-        let apart = |j: usize| {
-            let [dx, dy] = [0, 1].map(|k| places[i][k] - places[j][k]);
-            dx.hypot(dy)
-        };
-        let others = (0..places.len()).filter(|j| *j != i);
-        others.map(apart).fold(f64::INFINITY, f64::min)
-    };
-    let mut nearest: Vec<f64> = (0..places.len()).map(nearest).collect();
-    nearest.sort_unstable_by(f64::total_cmp);
-    nearest.get(nearest.len() / 2).copied().unwrap_or(0.0)
-}
-
 /// Sums, each with its weight and the largest weight in the last places, smoothed along x and then
 /// along y: the Gaussian is the product of both.
-fn smoothed(sums: &[[f64; 5]], size: [usize; 2], sigma: f64) -> Vec<[f32; 4]> {
-    let reach = whole((END * sigma).ceil());
-    let weight = |k: usize| (-0.5 * (k as f64 / sigma).powi(2)).exp();
+fn smoothed(sums: &[[f64; 5]], size: [usize; 2]) -> Vec<[f32; 4]> {
+    let reach = whole((END * SIGMA).ceil());
+    let weight = |k: usize| (-0.5 * (k as f64 / SIGMA).powi(2)).exp();
     let weights: Vec<f64> = (0..=reach).map(weight).collect();
     let along = |cells: &[[f64; 5]], step: usize, length: usize, other: usize| {
         let mut out = vec![[0.0; 5]; cells.len()];
@@ -255,7 +201,6 @@ mod tests {
         assert!(apart > 0.08 * 2.0 * loaded_session.arm_mm, "{apart}");
         let between = heat.at([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]);
         assert!(between[3] > 0.6, "{between:?}");
-        assert!((heat.sigma_mm / apart - 0.5).abs() < 0.05, "{apart}");
     }
 
     #[test]

@@ -1,9 +1,7 @@
 //! The picture of a laser: the deviation of one axis over its position, a line for each run and direction, with what
 //! the table corrects and what is left as predicted with it; the figures of ISO 230-2 are next to it.
 
-use std::sync::Arc;
-
-use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
+use super::{ChartChoice, ChartKind, ChartPlaceholder, Scene, Shown};
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::help::Word;
 use crate::gui::view::Step;
@@ -14,31 +12,15 @@ use crate::present::numbers::fixed;
 use crate::present::table::{Cell, Table};
 use crate::standards::{AxisTest, Series, axis_test};
 
-pub(crate) struct OfAxis;
-
-const ID: &str = "deviation over position";
-
-impl ChartKind for OfAxis {
-    fn about(&self) -> About {
-        let name = phrase!("Deviation over position");
-        let word = Word {
-            name,
-            means: phrase!(
-                "The picture that a laser's software shows: the deviation along the motion of one axis, a line for each run, whole where the position was approached in positive direction and dashed in negative. The thick line is what the table corrects, with the interval that holds it in 19 of 20 calibrations; what the model leaves is the same runs without it"
-            ),
-        };
-        About::new(ID, name, word, ChartChoice::Axis)
-    }
-
-    /// Where the sides are known: a run has a direction.
-    fn is_offered(&self, scene: &Scene) -> bool {
+pub(crate) static OF_AXIS: ChartKind = ChartKind {
+    // Where the sides are known: a run has a direction.
+    is_offered: |scene| {
         let dir = scene.loaded_session.session.samples.dir.get(scene.joint());
         !scene.loaded_session.is_empty() && dir.is_some_and(Option::is_some)
-    }
-
-    /// A test of one axis and nothing else: no second reflector, load, speed or setup that would be a series of
-    /// its own. While the diagnosis runs its steps are seen.
-    fn suits(&self, scene: &Scene) -> bool {
+    },
+    // A test of one axis and nothing else: no second reflector, load, speed or setup that would be a series of
+    // its own. While the diagnosis runs its steps are seen.
+    suits: |scene| {
         let session = &scene.loaded_session.session;
         let samples = &session.samples;
         let alone = session.robot.joints.len() == 1
@@ -47,91 +29,89 @@ impl ChartKind for OfAxis {
             && samples.setups.is_none()
             && samples.speed.iter().all(Option::is_none);
         alone && (scene.step != Step::Gap || scene.diagnosis().is_some())
-    }
-
-    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
-        let axis = &tested(scene)?;
-        let series = best(axis)?;
-        let over = Over {
-            variable: Variable::Joint,
-            joint: axis.joint,
-        };
-        let scale = over.scale(&scene.loaded_session, scene.units, 0.0);
-        let label = over.label(&scene.loaded_session);
-        let unit = unit(scene, axis);
-        let stage = if scene.only_after {
-            AxisStage::Predicted
-        } else {
-            AxisStage::Both
-        };
-        let made = AxisDeviation {
-            axis,
-            series,
-            stage,
-            across: scale.axis(&label),
-            position: &|outer| scale.shown(axis.kind.to_base_units(outer)),
-            unit,
-        };
-        let figures = figures(series, unit);
-        let title = say!("Deviation over {label}, run by run", label);
-        let description = if figures.is_empty() {
-            title.clone()
-        } else {
-            format!("{title}. {figures}")
-        };
-        let mut notes = vec![figures];
-        if axis.series.len() + axis.more > 1 {
-            notes.push(spoken(series.fixed.in_words(axis)));
-        }
-        notes.retain(|note| !note.is_empty());
-        Ok(Shown {
-            chart: made.chart(title, notes.join(" · ")),
-            name: say!(
-                "Deviation over {label}, run by run",
-                label = say!("position")
+    },
+    ..ChartKind::new(
+        "deviation over position",
+        Word {
+            name: phrase!("Deviation over position"),
+            means: phrase!(
+                "The picture that a laser's software shows: the deviation along the motion of one axis, a line for each run, whole where the position was approached in positive direction and dashed in negative. The thick line is what the table corrects, with the interval that holds it in 19 of 20 calibrations; what the model leaves is the same runs without it"
             ),
-            description,
-            pointed: HoverTarget::Nothing,
-        })
-    }
+        },
+        ChartChoice::Axis,
+        show,
+        numbers,
+    )
+};
 
-    /// Every approach, in the units of the axis.
-    fn numbers(&self, scene: &Scene) -> Table {
-        let Ok(axis) = &tested(scene) else {
-            return Table::default();
-        };
-        let Ok(series) = best(axis) else {
-            return Table::default();
-        };
-        let of = |what: &str| format!("{what}, {}", axis.unit);
-        let mut table = Table::new([
-            &format!("position, {}", axis.position_unit),
-            "side",
-            "run",
-            &of("deviation"),
-            &of("deviation with the table"),
-        ]);
-        for (k, at) in series.deviations.iter().enumerate() {
-            let after = series.corrected.as_ref().map(|all| &all[k]);
-            for (side, before, after) in [
-                (1.0, &at.up, after.map(|p| &p.up)),
-                (-1.0, &at.down, after.map(|p| &p.down)),
-            ] {
-                for (run, e) in before.iter().enumerate() {
-                    let run_of: Cell = (run + 1).into();
-                    let left = after.map(|all| all[run]);
-                    table.row([
-                        at.commanded.into(),
-                        side.into(),
-                        run_of,
-                        (*e).into(),
-                        left.into(),
-                    ]);
-                }
+fn show(scene: &Scene) -> Result<Shown, ChartPlaceholder> {
+    let axis = &tested(scene)?;
+    let series = best(axis)?;
+    let over = Over {
+        variable: Variable::Joint,
+        joint: axis.joint,
+    };
+    let scale = over.scale(&scene.loaded_session, scene.units, 0.0);
+    let label = over.label(&scene.loaded_session);
+    let unit = unit(scene, axis);
+    let stage = if scene.only_after {
+        AxisStage::Predicted
+    } else {
+        AxisStage::Both
+    };
+    let made = AxisDeviation {
+        axis,
+        series,
+        stage,
+        across: scale.axis(&label),
+        position: &|outer| scale.shown(axis.kind.to_base_units(outer)),
+        unit,
+    };
+    let mut notes = vec![figures(series, unit)];
+    if axis.series.len() + axis.more > 1 {
+        notes.push(spoken(series.fixed.in_words(axis)));
+    }
+    notes.retain(|note| !note.is_empty());
+    let title = |label: &str| say!("Deviation over {label}, run by run", label);
+    let chart = made.chart(title(&label), notes.join(" · "));
+    Ok(Shown::new(chart, title(say!("position"))))
+}
+
+/// Every approach, in the units of the axis.
+fn numbers(scene: &Scene) -> Table {
+    let Ok(axis) = &tested(scene) else {
+        return Table::default();
+    };
+    let Ok(series) = best(axis) else {
+        return Table::default();
+    };
+    let of = |what: &str| format!("{what}, {}", axis.unit);
+    let mut table = Table::new([
+        &format!("position, {}", axis.position_unit),
+        "side",
+        "run",
+        &of("deviation"),
+        &of("deviation with the table"),
+    ]);
+    for (k, at) in series.deviations.iter().enumerate() {
+        let after = series.corrected.as_ref().map(|all| &all[k]);
+        for (side, before, after) in [
+            (1.0, &at.up, after.map(|p| &p.up)),
+            (-1.0, &at.down, after.map(|p| &p.down)),
+        ] {
+            for (run, e) in before.iter().enumerate() {
+                let left = after.map(|all| all[run]);
+                table.row([
+                    at.commanded.into(),
+                    side.into(),
+                    (run + 1).into(),
+                    (*e).into(),
+                    Cell::from(left),
+                ]);
             }
         }
-        table
     }
+    table
 }
 
 fn tested(scene: &Scene) -> Result<AxisTest, ChartPlaceholder> {

@@ -1,71 +1,65 @@
 //! The exported table as a curve: what is added to each command, for each side.
 
-use std::sync::Arc;
-
-use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
+use super::{ChartChoice, ChartKind, ChartPlaceholder, Scene, Shown};
 use crate::compensation::SortedTable;
+use crate::export::ReadBack;
 use crate::gui::cache::ExportPreview;
 use crate::gui::core::overview::{MOST_POINTS, stride, thinned};
 use crate::gui::core::quantity::Scale;
 use crate::gui::help;
 use crate::gui::view::Step;
 use crate::kinematics::JointKind;
+use crate::numeric::extent;
 use crate::present::chart::{Axis, Chart, ColourRole, Item, LEAST_SPAN};
 use crate::present::table::{Table, cell};
 use crate::present::units::Units;
 
-pub(crate) struct Correction;
-
-impl ChartKind for Correction {
-    fn about(&self) -> About {
-        let name = phrase!("correction table");
-        About::new("correction table", name, help::CORRECTION, ChartChoice::All)
-    }
-
-    fn is_offered(&self, scene: &Scene) -> bool {
+pub(crate) static CORRECTION: ChartKind = ChartKind {
+    name: phrase!("correction table"),
+    is_offered: |scene| {
         let alone = scene.loaded_session.is_empty();
         let step = scene.step == Step::Export || alone;
         // A description of the robot has no curve; then the samples are more to look at.
         let shows = |made: &ExportPreview| step && (alone || made.export.reads_as.is_some());
         scene.preview.as_deref().is_some_and(shows)
-    }
+    },
+    suits: |_| true,
+    ..ChartKind::new(
+        "correction table",
+        help::CORRECTION,
+        ChartChoice::All,
+        show,
+        numbers,
+    )
+};
 
-    fn suits(&self, _: &Scene) -> bool {
-        true
-    }
+/// The export and the table that it holds; `None` where it has none.
+fn table(scene: &Scene) -> Option<(&ExportPreview, &ReadBack)> {
+    let made = scene.preview.as_deref()?;
+    Some((made, made.export.reads_as.as_ref()?))
+}
 
-    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
-        let preview = scene.preview.as_deref();
-        let made = preview.and_then(|made| chart(made, scene.units));
-        let chart = made.ok_or(ChartPlaceholder::new(
-            say!("This format describes the robot itself and has no table"),
-            "",
-        ))?;
-        Ok(Shown {
-            chart,
-            name: say!("correction table as a curve").to_owned(),
-            description: String::new(),
-            pointed: HoverTarget::Nothing,
-        })
-    }
+fn show(scene: &Scene) -> Result<Shown, ChartPlaceholder> {
+    let none = say!("This format describes the robot itself and has no table");
+    let (made, table) = table(scene).ok_or(ChartPlaceholder::new(none, ""))?;
+    let chart = chart(&made.joint, table, scene.units);
+    Ok(Shown::new(chart, say!("correction table as a curve")))
+}
 
-    /// Every entry.
-    fn numbers(&self, scene: &Scene) -> Table {
-        let preview = scene.preview.as_deref();
-        let read = preview.and_then(|made| Some((made, made.export.reads_as.as_ref()?)));
-        let Some((made, read)) = read else {
-            return Table::default();
-        };
-        let unit = read.kind.unit();
-        let along = format!("{}, {unit}", cell(&made.joint));
-        let mut table = Table::new([&along, "side", &format!("correction, {unit}")]);
-        for (side, column) in [(1.0, &read.forward), (-1.0, &read.reverse)] {
-            for (at, value) in column.places().iter().zip(column.values()) {
-                table.row([*at, side, *value]);
-            }
+/// Every entry.
+fn numbers(scene: &Scene) -> Table {
+    let Some((made, read)) = table(scene) else {
+        return Table::default();
+    };
+    let unit = read.kind.unit();
+    let along = format!("{}, {unit}", cell(&made.joint));
+    let mut table = Table::new([&along, "side", &format!("correction, {unit}")]);
+    for (side, column) in [(1.0, &read.forward), (-1.0, &read.reverse)] {
+        for (at, value) in column.places().iter().zip(column.values()) {
+            table.row([*at, side, *value]);
         }
-        table
     }
+    table
 }
 
 /// Points of one curve: commanded value and correction, as many times as large as in the table's unit.
@@ -79,15 +73,12 @@ fn curve(column: &SortedTable, factor: f64) -> Vec<[f64; 2]> {
 /// What the upward axis has to show: zero, every correction, and no less than can be read. A
 /// constant correction is a straight line then, not the noise of its last digit.
 fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>, least: f64) -> [f64; 2] {
-    let finite = points.map(|p| p[1]).filter(|v| v.is_finite());
-    let [low, high] = finite.fold([0.0_f64, 0.0_f64], |[a, b], v| [a.min(v), b.max(v)]);
+    let [low, high] = extent(points.map(|p| p[1]).chain([0.0]));
     let more = 0.5 * (least - (high - low)).max(0.0);
     [low - more, high + more]
 }
 
-/// The curve; `None` where the export has no table.
-fn chart(made: &ExportPreview, units: Units) -> Option<Chart> {
-    let table = made.export.reads_as.as_ref()?;
+fn chart(joint: &str, table: &ReadBack, units: Units) -> Chart {
     let scale = Scale::of_joint(units, table.kind == JointKind::Revolute);
     let factor = scale.shown(table.kind.to_base_units(1.0));
     let (forward, reverse) = (curve(&table.forward, factor), curve(&table.reverse, factor));
@@ -108,15 +99,15 @@ fn chart(made: &ExportPreview, units: Units) -> Option<Chart> {
         phrase!("one point in {stride} shown"; stride),
     ));
     items.push(Item::Line(forward, ColourRole::After, 2.0, false));
-    Some(Chart {
+    Chart {
         title: say!("correction table").to_owned(),
-        across: scale.axis(&made.joint),
+        across: scale.axis(joint),
         upwards: Axis::numbers(say!("correction, {unit}", unit = scale.unit)),
         bounds: [[from - beside, low - by], [to + beside, high + by]],
         items,
         legend: Vec::new(),
         note: notes.collect::<Vec<_>>().join(" · "),
-    })
+    }
 }
 
 #[cfg(test)]

@@ -1,9 +1,7 @@
 //! The gap step by step: the nominal robot, the identification, each effect that was added, and
 //! the noise floor below which no model can come.
 
-use std::sync::Arc;
-
-use super::{About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown};
+use super::{ChartChoice, ChartKind, ChartPlaceholder, Scene, Shown};
 use crate::gui::core::document::Method;
 use crate::gui::help;
 use crate::gui::view::Step;
@@ -12,7 +10,12 @@ use crate::present::chart::{gap, in_words};
 use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
 
-pub(crate) struct Gap;
+pub(crate) static GAP: ChartKind = ChartKind {
+    name: phrase!("Gap by step"),
+    is_offered: |scene| scene.answer().is_some() && !scene.loaded_session.is_empty(),
+    suits: |scene| scene.step == Step::Gap,
+    ..ChartKind::new("gap by step", help::GAP, ChartChoice::All, show, numbers)
+};
 
 fn steps(scene: &Scene) -> &[ResidualStep] {
     scene
@@ -31,51 +34,31 @@ fn proposed(scene: &Scene) -> &[ResidualStep] {
     }
 }
 
-impl ChartKind for Gap {
-    fn about(&self) -> About {
-        let name = phrase!("Gap by step");
-        About::new("gap by step", name, help::GAP, ChartChoice::All)
+fn show(scene: &Scene) -> Result<Shown, ChartPlaceholder> {
+    let number = |mm: f64| significant(scene.units.length_value(mm), 3);
+    let lengths = scene.lengths(&number);
+    let floor_mm = scene.diagnosis().map(|d| d.floor.mm);
+    let steps = steps(scene);
+    let proposed = proposed(scene);
+    let tolerance_mm = scene.document.tolerance_mm;
+    let chart = gap(steps, proposed, floor_mm, tolerance_mm, lengths);
+    let mut chart = chart.ok_or(ChartPlaceholder::new(say!("nothing is identified yet"), ""))?;
+    if !proposed.is_empty() {
+        say!("outlined: not in the model").clone_into(&mut chart.note);
     }
+    let says = |s: &ResidualStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
+    let says: Vec<String> = steps.iter().chain(proposed).map(says).collect();
+    let name = say!("gap by step: {steps}", steps = says.join(", "));
+    Ok(Shown::new(chart, name))
+}
 
-    fn is_offered(&self, scene: &Scene) -> bool {
-        scene.answer().is_some() && !scene.loaded_session.is_empty()
-    }
-
-    fn suits(&self, scene: &Scene) -> bool {
-        scene.step == Step::Gap
-    }
-
-    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
-        let number = |mm: f64| significant(scene.units.length_value(mm), 3);
-        let lengths = scene.lengths(&number);
-        let floor_mm = scene.diagnosis().map(|d| d.floor.mm);
-        let steps = steps(scene);
-        let proposed = proposed(scene);
-        let tolerance_mm = scene.document.tolerance_mm;
-        let chart = gap(steps, proposed, floor_mm, tolerance_mm, lengths);
-        let mut chart =
-            chart.ok_or(ChartPlaceholder::new(say!("nothing is identified yet"), ""))?;
-        if !proposed.is_empty() {
-            say!("outlined: not in the model").clone_into(&mut chart.note);
+fn numbers(scene: &Scene) -> Table {
+    let mut table = Table::headed("step | gap, mm | in the model");
+    for (steps, in_model) in [(steps(scene), 1_usize), (proposed(scene), 0)] {
+        for step in steps {
+            let what = Cell::from(in_words(&step.what));
+            table.row([what, step.gap_mm.into(), Cell::from(in_model)]);
         }
-        let says = |s: &ResidualStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
-        let says: Vec<String> = steps.iter().chain(proposed).map(says).collect();
-        Ok(Shown {
-            chart,
-            name: say!("gap by step: {steps}", steps = says.join(", ")),
-            description: String::new(),
-            pointed: HoverTarget::Nothing,
-        })
     }
-
-    fn numbers(&self, scene: &Scene) -> Table {
-        let mut table = Table::headed("step | gap, mm | in the model");
-        for (steps, in_model) in [(steps(scene), 1_usize), (proposed(scene), 0)] {
-            for step in steps {
-                let what = Cell::from(in_words(&step.what));
-                table.row([what, step.gap_mm.into(), Cell::from(in_model)]);
-            }
-        }
-        table
-    }
+    table
 }

@@ -1,16 +1,10 @@
 //! How many samples deviate by how much.
 
-use std::sync::Arc;
-
-use super::{
-    About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
-    of_noise,
-};
+use super::{Bar, ChartChoice, ChartKind, ChartPlaceholder, Scene, Shown, of_noise};
 use crate::gui::core::loaded_session::Component;
 use crate::gui::help;
-use crate::present::bins::{Bins, Counted, Distribution, NoiseCurve};
-use crate::present::chart::{Axis, Chart, ChartText, ColourRole, Item, LegendSymbol};
-use crate::present::drawing::Anchor;
+use crate::present::bins::{Counted, Distribution, NoiseCurve};
+use crate::present::chart::{Axis, Chart, ColourRole, Entry, Item, LegendSymbol};
 use crate::present::numbers::grouped;
 use crate::present::table::{Cell, Table};
 use crate::sessions::Sigma;
@@ -23,44 +17,38 @@ const MOST_PEAK: f64 = 2.0;
 /// Points of the noise curve.
 const FINE: usize = 240;
 
-pub(crate) struct Histogram;
+pub(crate) static HISTOGRAM: ChartKind = ChartKind::new(
+    "histogram",
+    help::HISTOGRAM,
+    ChartChoice::Component,
+    show,
+    numbers,
+);
 
-impl ChartKind for Histogram {
-    fn about(&self) -> About {
-        let name = help::HISTOGRAM.name;
-        About::new("histogram", name, help::HISTOGRAM, ChartChoice::Component)
-    }
+fn show(scene: &Scene) -> Result<Shown, ChartPlaceholder> {
+    let found = distribution(scene)?;
+    let name = say!("histogram, {component}", component = scene.component.name());
+    let mut shown = Shown::new(drawn(scene, &found), name);
+    shown.bars = bars(scene, found.shown(scene.only_after));
+    Ok(shown)
+}
 
-    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
-        let found = distribution(scene)?;
-        Ok(Shown {
-            chart: drawn(scene, &found),
-            name: say!("histogram, {component}", component = scene.component.name()),
-            description: describe(scene, &found),
-            pointed: HoverTarget::Bars(Box::new(DrawnBars {
-                scene: Arc::clone(scene),
-                counted: found.shown(scene.only_after).clone(),
-            })),
-        })
+fn numbers(scene: &Scene) -> Table {
+    let mut table = Table::headed("from, mm | to, mm | before | after | noise alone");
+    let Ok(found) = distribution(scene) else {
+        return table;
+    };
+    let counted = found.shown(scene.only_after);
+    let noise = noise(scene);
+    let samples = found.sizes_before.within(0.0).1;
+    for bin in 0..counted.bins.count {
+        let [from, to] = counted.bins.ends(bin);
+        let of = |counts: &Option<Vec<usize>>| counts.as_ref().map(|c| c[bin]).into();
+        let alone = noise.map(|n| (n.below(to) - n.below(from)) * samples as f64);
+        let [before, after] = [&counted.before, &counted.after].map(of);
+        table.row([Cell::from(from), to.into(), before, after, alone.into()]);
     }
-
-    fn numbers(&self, scene: &Scene) -> Table {
-        let mut table = Table::headed("from, mm | to, mm | before | after | noise alone");
-        let Ok(found) = distribution(scene) else {
-            return table;
-        };
-        let counted = found.shown(scene.only_after);
-        let noise = noise(scene);
-        let samples = found.sizes_before.within(0.0).1;
-        for bin in 0..counted.bins.count {
-            let [from, to] = counted.bins.ends(bin);
-            let of = |counts: &Option<Vec<usize>>| counts.as_ref().map(|c| c[bin]).into();
-            let alone = noise.map(|n| (n.below(to) - n.below(from)) * samples as f64);
-            let [before, after] = [&counted.before, &counted.after].map(of);
-            table.row([Cell::from(from), to.into(), before, after, alone.into()]);
-        }
-        table
-    }
+    table
 }
 
 fn distribution(scene: &Scene) -> Result<Distribution, ChartPlaceholder> {
@@ -74,81 +62,57 @@ fn distribution(scene: &Scene) -> Result<Distribution, ChartPlaceholder> {
     ))
 }
 
-/// What the pointer finds.
-struct DrawnBars {
-    scene: Arc<Scene>,
-    counted: Counted,
-}
-
-impl DrawnBars {
-    /// The component of a sample that is counted: what is left if anything is, else before.
-    fn value(&self, sample: usize, after: bool) -> f64 {
-        let after = after && self.scene.answer().is_some();
-        self.scene.value(usize::from(after), sample)
+/// What the pointer finds: in each bar the samples that are there after, else those that were there before.
+fn bars(scene: &Scene, counted: &Counted) -> Vec<Bar> {
+    let (units, bins) = (scene.units, counted.bins);
+    let mut samples = vec![[const { Vec::new() }; 2]; bins.count];
+    for (sample, when) in scene.usable().flat_map(|s| [(s, 0), (s, 1)]) {
+        if let Some(bin) = bins.of(scene.value(when, sample)) {
+            samples[bin][when].push(sample);
+        }
     }
-}
-
-impl Bars for DrawnBars {
-    fn at(&self, x: f64) -> Option<Facts> {
-        let (units, bins) = (self.scene.units, self.counted.bins);
-        let mm = x / units.length_value(1.0);
-        let [low, high] = bins.span();
-        let bin = (mm >= low && mm <= high).then(|| bins.of(mm)).flatten()?;
-        let of = |counts: &Option<Vec<usize>>| counts.as_ref().map(|counts| counts[bin]);
-        let (before, after) = (of(&self.counted.before), of(&self.counted.after));
-        // What is left, unless only what was before is in this bar.
-        let take_after =
-            self.scene.answer().is_some() && (after != Some(0) || before.is_none_or(|n| n == 0));
-        let here = |sample: &usize| bins.of(self.value(*sample, take_after)) == Some(bin);
-        let [from, to] = bins.ends(bin).map(|mm| units.length_number(mm));
-        let line = |name: &str, n: Option<usize>| Some((name.to_owned(), n?.to_string()));
-        let lines = [line(say!("before"), before), line(say!("after"), after)];
-        Some(Facts {
+    let bar = |(bin, [before, after]): (usize, [Vec<usize>; 2])| {
+        let ends = bins.ends(bin);
+        let [from, to] = ends.map(|mm| units.length_number(mm));
+        let counts = [
+            (say!("before"), &counted.before),
+            (say!("after"), &counted.after),
+        ];
+        let line = |(name, counts): (&str, &Option<Vec<usize>>)| {
+            Some((name.to_owned(), counts.as_ref()?[bin].to_string()))
+        };
+        Bar {
+            x: ends.map(|mm| units.length_value(mm)),
             title: format!("{from} … {to} {}", units.length_name()),
-            lines: lines.into_iter().flatten().collect(),
-            samples: self.scene.usable().filter(here).collect(),
-        })
-    }
-
-    fn of(&self, sample: usize) -> Option<[f64; 2]> {
-        let bin = self.counted.bins.of(self.value(sample, true))?;
-        let ends = self.counted.bins.ends(bin);
-        Some(ends.map(|mm| self.scene.units.length_value(mm)))
-    }
+            lines: counts.into_iter().filter_map(line).collect(),
+            samples: if after.is_empty() { before } else { after },
+        }
+    };
+    samples.into_iter().enumerate().map(bar).collect()
 }
 
 /// How noise alone is spread in the component that is shown, where the noise is known: as the
 /// instrument says, else as the residuals show it.
 fn noise(scene: &Scene) -> Option<NoiseCurve> {
-    let loaded_session = &scene.loaded_session;
-    let planar = loaded_session.session.samples.z_mm.is_none();
-    let count = if planar { 2 } else { 3 };
-    let mean = |axes: [f64; 3]| {
-        let squares = axes[..count].iter().map(|s| s * s).sum::<f64>();
-        (squares / count as f64).sqrt()
+    let session = &scene.loaded_session.session;
+    let count = if session.samples.z_mm.is_none() { 2 } else { 3 };
+    let axes = match session.instrument.sigma_mm {
+        Some(Sigma::Overall(sigma)) => [sigma; 3],
+        Some(Sigma::PerAxis(axes)) => axes,
+        None => scene.answer()?.identification.noise_mm?,
     };
-    let along = |axes: [f64; 3]| match scene.component {
+    let squares = axes[..count].iter().map(|s| s * s).sum::<f64>();
+    let sigma_mm = match scene.component {
         Component::X => axes[0],
         Component::Y => axes[1],
         Component::Z => axes[2],
-        _ => mean(axes),
-    };
-    let found = || scene.answer().and_then(|a| a.identification.noise_mm);
-    let sigma_mm = match loaded_session.session.instrument.sigma_mm {
-        Some(Sigma::Overall(sigma)) => sigma,
-        Some(Sigma::PerAxis(axes)) => along(axes),
-        None => along(found()?),
+        _ => (squares / count as f64).sqrt(),
     };
     let length = scene.component == Component::Length;
     (sigma_mm.is_finite() && sigma_mm > 0.0).then_some(NoiseCurve {
         sigma_mm,
         axes: if length { count } else { 1 },
     })
-}
-
-/// The noise curve, where bins are narrow enough to show it.
-fn curve(scene: &Scene, bins: &Bins) -> Option<NoiseCurve> {
-    noise(scene).filter(|noise| bins.width_mm <= SHARP * noise.sigma_mm)
 }
 
 fn drawn(scene: &Scene, found: &Distribution) -> Chart {
@@ -174,9 +138,8 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         items.push(Item::Bars(bars.collect(), stands, filled));
     }
     let [low, high] = bins.span();
-    let component = scene.component;
     let mut tallest = most;
-    let noise = curve(scene, &bins);
+    let noise = noise(scene).filter(|noise| bins.width_mm <= SHARP * noise.sigma_mm);
     if let Some(noise) = noise {
         let samples = found.sizes_before.within(0.0).1;
         let at = |k: usize| low + (high - low) * k as f64 / FINE as f64;
@@ -188,36 +151,26 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         items.push(Item::Line(points, ColourRole::Noise, 1.8, true));
     }
     let top = 1.2 * tallest;
-    if let Some(tolerance) = scene.document.tolerance_mm {
-        let both = [-tolerance, tolerance];
-        let ends = if component == Component::Length {
-            &both[1..]
-        } else {
-            &both[..]
-        };
-        for end in ends.iter().filter(|end| **end > low && **end < high) {
-            let line = vec![[value(*end), 0.0], [value(*end), top]];
-            items.push(Item::Line(line, ColourRole::Tolerance, 1.6, false));
-            items.push(Item::Word(ChartText {
-                at: [value(*end), 0.995 * top],
-                text: format!(" {} ", say!("tolerance")),
-                anchor: if *end < 0.0 {
-                    Anchor::End
-                } else {
-                    Anchor::Start
-                },
-                below: true,
-            }));
-        }
-    }
-    let margin = 0.02 * (high - low);
     let mut legend = scene.legend(LegendSymbol::Bar);
+    // A length has no other side: its bins begin at zero.
+    let both = scene.document.tolerance_mm.map(|mm| [-mm, mm]);
+    let ends = both.into_iter().flatten();
+    let ends = ends.filter(|end| *end > low && *end < high);
+    let line = |end: f64| vec![[value(end), 0.0], [value(end), top]];
+    let lines = ends.map(|end| Item::Line(line(end), ColourRole::Tolerance, 1.6, false));
+    let lines: Vec<Item> = lines.collect();
+    if !lines.is_empty() {
+        let (sign, role) = (LegendSymbol::Line, ColourRole::Tolerance);
+        legend.push(Entry::new(say!("tolerance"), sign, role, true));
+    }
+    items.extend(lines);
+    let margin = 0.02 * (high - low);
     if noise.is_some() {
         legend.push(of_noise(say!("noise alone")));
     }
-    let name = component.name();
+    let name = scene.component.name();
     Chart {
-        title: title(scene),
+        title: say!("samples by {name} deviation", name),
         across: Axis::numbers(say!(
             "{name} deviation, {units}",
             name,
@@ -229,10 +182,6 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         legend,
         note: note(scene, found, counted),
     }
-}
-
-fn title(scene: &Scene) -> String {
-    say!("samples by {name} deviation", name = scene.component.name())
 }
 
 fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
@@ -265,31 +214,4 @@ fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
         ));
     }
     notes.join(" · ")
-}
-
-/// What is seen, in words.
-fn describe(scene: &Scene, found: &Distribution) -> String {
-    let units = scene.units;
-    let counted = found.shown(scene.only_after);
-    let tallest = |counts: &Option<Vec<usize>>| {
-        let counts = counts.as_ref()?;
-        let bin = (0..counts.len()).max_by_key(|bin| counts[*bin])?;
-        let [from, to] = counted.bins.ends(bin).map(|mm| units.length(mm));
-        Some(say!(
-            "most, {bin}, from {from} to {to}",
-            bin = counts[bin],
-            from,
-            to
-        ))
-    };
-    let mut says = title(scene);
-    for (name, counts) in [
-        (say!("before"), &counted.before),
-        (say!("after"), &counted.after),
-    ] {
-        if let Some(tallest) = tallest(counts) {
-            says += &format!("; {name}: {tallest}");
-        }
-    }
-    format!("{says}; {}", note(scene, found, counted))
 }

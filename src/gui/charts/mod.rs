@@ -1,8 +1,8 @@
 //! What is charted: a chart is one file and one line of the register. It says what it is called, when it
-//! is offered, what the background works out for it, and makes of a [`Scene`] (document and answer, how they
-//! are looked at, what was worked out) a [`Chart`], which the window, a picture and a table for a spreadsheet
-//! show. Nothing here draws.
+//! is offered, and makes of a [`Scene`] (document and answer, how they are looked at, what was worked out) a
+//! [`Chart`], which the window, a picture and a table for a spreadsheet show. Nothing here draws.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
@@ -10,11 +10,13 @@ use crate::gui::cache::{ExportPreview, IdentifiedAnswer};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::{Component, LoadedSession};
+use crate::gui::core::quantity::Over;
 use crate::gui::core::search::Search;
 use crate::gui::help::Word;
 use crate::gui::view::Step;
-use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Lengths};
-use crate::present::numbers::Notation;
+use crate::numeric::whole;
+use crate::present::chart::{Chart, ColourRole, Entry, Form, Item, LegendSymbol, Lengths, Mark};
+use crate::present::numbers::{Notation, grouped};
 use crate::present::table::Table;
 use crate::present::units::Units;
 use crate::text::{Language, Template, capital, spoken};
@@ -24,24 +26,23 @@ macro_rules! register {
         $(pub(crate) mod $file;)*
         /// Every chart, in the order in which they are offered. The first is shown where nothing
         /// suits better.
-        pub(crate) static CHARTS: &[&dyn ChartKind] = &[$($(&$file::$chart),*),*];
+        pub(crate) static CHARTS: &[&ChartKind] = &[$($(&$file::$chart),*),*];
     };
 }
 
 register! {
     deviation: ANGLE, TIME, LOAD, TEMPERATURE;
-    polar: Polar;
-    orders: Orders;
-    histogram: Histogram;
-    gap: Gap;
-    axis_test: OfAxis;
-    effect: Effect;
-    correction: Correction;
+    polar: POLAR;
+    orders: ORDERS;
+    histogram: HISTOGRAM;
+    gap: GAP;
+    axis_test: OF_AXIS;
+    effect: EFFECT;
+    correction: CORRECTION;
 }
 
-/// What a chart says of itself.
-#[derive(Clone, Copy)]
-pub(crate) struct About {
+/// A chart.
+pub(crate) struct ChartKind {
     /// What it is: what its picture is called, as it stands within a sentence.
     pub(crate) id: &'static str,
     name: Template,
@@ -49,6 +50,14 @@ pub(crate) struct About {
     pub(crate) word: Word,
     /// What is chosen for it.
     pub(crate) of: ChartChoice,
+    /// Whether there is anything to show, or at least something to say.
+    pub(crate) is_offered: fn(&Scene) -> bool,
+    /// Whether it is what the step is about: it is shown without a choice of the user.
+    pub(crate) suits: fn(&Scene) -> bool,
+    /// Takes its time with many samples.
+    pub(crate) show: fn(&Scene) -> Result<Shown, ChartPlaceholder>,
+    /// What it shows, for a spreadsheet.
+    pub(crate) numbers: fn(&Scene) -> Table,
 }
 
 /// What is chosen for a chart.
@@ -64,9 +73,25 @@ pub(crate) enum ChartChoice {
     Joint,
 }
 
-impl About {
-    const fn new(id: &'static str, name: Template, word: Word, of: ChartChoice) -> Self {
-        Self { id, name, word, of }
+impl ChartKind {
+    /// One of measured samples that is shown where it is chosen.
+    const fn new(
+        id: &'static str,
+        word: Word,
+        of: ChartChoice,
+        show: fn(&Scene) -> Result<Shown, ChartPlaceholder>,
+        numbers: fn(&Scene) -> Table,
+    ) -> Self {
+        Self {
+            id,
+            name: word.name,
+            word,
+            of,
+            is_offered: |scene| !scene.loaded_session.is_empty(),
+            suits: |_| false,
+            show,
+            numbers,
+        }
     }
 
     pub(crate) fn name(&self) -> String {
@@ -74,30 +99,9 @@ impl About {
     }
 }
 
-/// A chart.
-pub(crate) trait ChartKind: Sync {
-    fn about(&self) -> About;
-
-    /// Whether there is anything to show, or at least something to say.
-    fn is_offered(&self, scene: &Scene) -> bool {
-        !scene.loaded_session.is_empty()
-    }
-
-    /// Whether it is what the step is about: it is shown without a choice of the user.
-    fn suits(&self, _: &Scene) -> bool {
-        false
-    }
-
-    /// Takes its time with many samples.
-    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder>;
-
-    /// What it shows, for a spreadsheet.
-    fn numbers(&self, scene: &Scene) -> Table;
-}
-
 /// The chart of this name.
-pub(crate) fn find(id: &str) -> Option<&'static dyn ChartKind> {
-    CHARTS.iter().copied().find(|chart| chart.about().id == id)
+pub(crate) fn find(id: &str) -> Option<&'static ChartKind> {
+    CHARTS.iter().copied().find(|chart| chart.id == id)
 }
 
 /// What stands in the place of a chart that cannot be shown.
@@ -121,52 +125,180 @@ pub(crate) struct Shown {
     pub(crate) chart: Chart,
     /// How it is called for those who do not see it.
     pub(crate) name: String,
+    /// Samples, each series in the place of the marks of its colour. The last that has a sample rings it.
+    pub(crate) series: Vec<Series>,
+    /// What is said about places along the chart.
+    pub(crate) bars: Vec<Bar>,
+}
+
+impl Shown {
+    /// With samples at their places.
+    fn of(
+        chart: Chart,
+        name: String,
+        stages: &[Stage],
+        place: impl Fn([f64; 2]) -> [f64; 2],
+    ) -> Self {
+        let series = stages.iter();
+        let series = series.map(|one| Series::new(one, chart.bounds, &place));
+        Self {
+            series: series.collect(),
+            ..Self::new(chart, name)
+        }
+    }
+
+    fn new(chart: Chart, name: impl Into<String>) -> Self {
+        Self {
+            chart,
+            name: name.into(),
+            series: Vec::new(),
+            bars: Vec::new(),
+        }
+    }
+
+    /// What is drawn between two places along the chart: of many samples some.
+    pub(crate) fn in_sight(&self, x: [f64; 2]) -> impl Iterator<Item = Cow<'_, Item>> {
+        self.chart.items.iter().map(move |item| {
+            let mut series = self.series.iter();
+            let series = series.find(|one| Some(one.role) == item.colour_role());
+            match (item, series) {
+                (Item::Marks(_, role, filled), Some(series)) => {
+                    let marks = series.in_sight(x).iter().map(|s| series.marks[*s as usize]);
+                    Cow::Owned(Item::Marks(marks.collect(), *role, *filled))
+                }
+                _ => Cow::Borrowed(item),
+            }
+        })
+    }
+
     /// What is seen, in words.
-    pub(crate) description: String,
-    pub(crate) pointed: HoverTarget,
+    pub(crate) fn description(&self) -> String {
+        let chart = &self.chart;
+        let legend = chart.legend.iter().map(|entry| &*entry.name);
+        let legend = legend.collect::<Vec<_>>().join(", ");
+        let mut says = vec![&*chart.title, &legend, &chart.note];
+        says.retain(|one| !one.is_empty());
+        says.join("; ")
+    }
 }
 
 /// Before, 0, or after, 1.
 pub(crate) type When = usize;
 
-/// What the pointer finds on a chart.
-pub(crate) enum HoverTarget {
-    Nothing,
-    Samples(Box<dyn Samples>),
-    Bars(Box<dyn Bars>),
-}
-
-/// Samples on a chart.
-pub(crate) trait Samples: Send + Sync {
-    /// Where a sample's marks are; the last is the one that is ringed.
-    fn marks(&self, sample: usize) -> Vec<[f64; 2]>;
-
-    /// Those whose marks may be between two places along the chart and upwards.
-    fn near(&self, x: [f64; 2], y: [f64; 2]) -> Vec<usize>;
-
-    /// What is drawn between two places along the chart, beside what is drawn in any case.
-    fn in_sight(&self, _: [f64; 2]) -> Vec<Item> {
-        Vec::new()
-    }
-}
-
-/// What the pointer finds on bars.
-pub(crate) trait Bars: Send + Sync {
-    /// What is said about a place along the chart.
-    fn at(&self, x: f64) -> Option<Facts>;
-
-    /// From where to where the bar of a sample goes.
-    fn of(&self, _: usize) -> Option<[f64; 2]> {
-        None
-    }
-}
-
-/// What is said about a bar.
-pub(crate) struct Facts {
+/// A bar, or what stands in its place.
+pub(crate) struct Bar {
+    /// From where to where along the chart.
+    pub(crate) x: [f64; 2],
     pub(crate) title: String,
     pub(crate) lines: Vec<(String, String)>,
-    /// The samples that a click marks.
+    /// The samples that a click marks, in ascending order.
     pub(crate) samples: Vec<usize>,
+}
+
+/// Samples of one colour, and their marks.
+type Stage = (ColourRole, Vec<(usize, Mark)>);
+
+/// Cells across and upwards, in which one of many samples is drawn.
+const CELLS: [usize; 2] = [120, 45];
+
+/// As many in sight are all drawn.
+const MOST_MARKS: usize = 1500;
+
+/// Samples of one colour. Of many one stands for all in its small cell of the chart, until few are in sight.
+pub(crate) struct Series {
+    role: ColourRole,
+    /// Of every sample of the session; NaN where it is not shown.
+    marks: Vec<Mark>,
+    /// Those that are shown, from the left to the right.
+    shown: Vec<u32>,
+    /// One for each cell in which there are any; all where they are few.
+    drawn: Vec<u32>,
+}
+
+impl Series {
+    /// Of these samples, each at its place, on a chart of these bounds.
+    fn new(
+        (role, placed): &Stage,
+        [low, high]: [[f64; 2]; 2],
+        place: impl Fn([f64; 2]) -> [f64; 2],
+    ) -> Self {
+        let nowhere = Mark {
+            at: [f64::NAN; 2],
+            form: Form::Disc,
+        };
+        let count = placed.iter().map(|(sample, _)| sample + 1).max();
+        let mut marks = vec![nowhere; count.unwrap_or(0)];
+        for (sample, mark) in placed {
+            let at = place(mark.at);
+            marks[*sample] = Mark { at, ..*mark };
+        }
+        let finite = |(_, mark): &(u32, &Mark)| mark.at.iter().all(|v| v.is_finite());
+        let shown = (0_u32..).zip(&marks).filter(finite);
+        let mut shown: Vec<u32> = shown.map(|(sample, _)| sample).collect();
+        let at = |sample: u32| marks[sample as usize].at;
+        shown.sort_by(|a, b| at(*a)[0].total_cmp(&at(*b)[0]));
+        let mut drawn = shown.clone();
+        if drawn.len() > MOST_MARKS {
+            let mut taken = vec![false; CELLS[0] * CELLS[1]];
+            drawn.retain(|sample| {
+                let [x, y] = [0, 1].map(|k| {
+                    let part = (at(*sample)[k] - low[k]) / (high[k] - low[k]);
+                    whole((part * CELLS[k] as f64).floor().max(0.0)).min(CELLS[k] - 1)
+                });
+                !std::mem::replace(&mut taken[x + CELLS[0] * y], true)
+            });
+        }
+        Self {
+            role: *role,
+            marks,
+            shown,
+            drawn,
+        }
+    }
+
+    /// Where a sample is.
+    pub(crate) fn at(&self, sample: usize) -> Option<[f64; 2]> {
+        let mark = self.marks.get(sample)?;
+        mark.at.iter().all(|v| v.is_finite()).then_some(mark.at)
+    }
+
+    /// Those to be drawn between two places along the chart.
+    pub(crate) fn in_sight(&self, x: [f64; 2]) -> &[u32] {
+        let within = |samples: &[u32]| {
+            let across = |sample: &u32| self.marks[*sample as usize].at[0];
+            let from = samples.partition_point(|s| across(s) < x[0]);
+            from..samples.partition_point(|s| across(s) <= x[1]).max(from)
+        };
+        let all = within(&self.shown);
+        if all.len() <= MOST_MARKS {
+            return &self.shown[all];
+        }
+        &self.drawn[within(&self.drawn)]
+    }
+}
+
+/// What is said of samples that are not all drawn, or of which not `all` are shown.
+fn not_drawn(series: &[Series], all: usize) -> Vec<String> {
+    let mut notes = Vec::new();
+    let Some(last) = series.last() else {
+        return notes;
+    };
+    let (drawn, shown) = (last.drawn.len(), last.shown.len());
+    if drawn < shown {
+        notes.push(say!(
+            "{drawn} of {all} points shown: zoom in for more",
+            drawn = grouped(drawn),
+            all = grouped(shown)
+        ));
+    }
+    if shown < all {
+        notes.push(say!(
+            one "{count} sample has no value and is not shown",
+            "{count} samples have no value and are not shown",
+            count = all - shown
+        ));
+    }
+    notes
 }
 
 /// Document and answer, and how they are looked at: all that a chart follows from. It lasts by itself: the window goes
@@ -216,6 +348,20 @@ impl Scene {
         (of(0), self.answer().map(|_| of(1)))
     }
 
+    /// Samples over a quantity in inner units, before, after or both as they are shown, each stage in its colour.
+    fn stages(&self, over: Over) -> Vec<Stage> {
+        let (session, after) = (&self.loaded_session, self.answer().is_some());
+        let mark = |when: When, sample: usize| Mark {
+            at: [over.of(session, sample), self.value(when, sample)],
+            form: Form::of_side(session.side(over.joint, sample)),
+        };
+        let marks = |when| self.usable().map(move |s| (s, mark(when, s))).collect();
+        let before = !(after && self.only_after);
+        let before = before.then(|| (ColourRole::Before, marks(0)));
+        let after = after.then(|| (ColourRole::After, marks(1)));
+        before.into_iter().chain(after).collect()
+    }
+
     pub(crate) fn diagnosis(&self) -> Option<&Diagnosis> {
         self.search.as_ref()?.answer.as_ref().ok()
     }
@@ -262,14 +408,10 @@ mod tests {
     #[test]
     fn charts_are_called_differently() {
         for (k, chart) in CHARTS.iter().enumerate() {
-            let (id, name) = (chart.about().id, chart.about().name());
-            let same =
-                |other: &&&dyn ChartKind| other.about().id == id || other.about().name() == name;
+            let (id, name) = (chart.id, chart.name());
+            let same = |other: &&&ChartKind| other.id == id || other.name() == name;
             assert_eq!(CHARTS.iter().filter(same).count(), 1, "{id}");
-            assert!(
-                find(id).is_some_and(|found| found.about().name() == name),
-                "{k}"
-            );
+            assert!(find(id).is_some_and(|found| found.name() == name), "{k}");
         }
     }
 
@@ -283,5 +425,24 @@ mod tests {
             let there = file == "mod" || code.contains(&format!("    {file}: "));
             assert!(there, "{file} is not in the register");
         }
+    }
+
+    #[test]
+    fn of_many_one_is_drawn_for_each_cell_and_all_where_few_are_in_sight() {
+        let n = 200_000;
+        let mark = |i: usize| Mark {
+            at: [i as f64, ((i * 7919) % 1000) as f64],
+            form: Form::Disc,
+        };
+        let stage = (ColourRole::Before, (0..n).map(|i| (i, mark(i))).collect());
+        let of = |high: f64| Series::new(&stage, [[0.0; 2], [n as f64, high]], |at| at);
+        let series = of(1000.0);
+        let cells = CELLS[0] * CELLS[1];
+        assert!((cells / 2..=cells).contains(&series.drawn.len()));
+        assert_eq!(series.in_sight([0.0, 1e9]), series.drawn);
+        assert_eq!(series.in_sight([1000.0, 1099.0]).len(), 100);
+        assert!(series.in_sight([5.0, 4.0]).is_empty());
+        // Within what counts as nothing there is one row of cells.
+        assert_eq!(of(1e9).drawn.len(), CELLS[0]);
     }
 }

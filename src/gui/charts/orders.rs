@@ -1,11 +1,6 @@
 //! How large the deviation is at each whole number of cycles per turn.
 
-use std::sync::Arc;
-
-use super::{
-    About, Bars, ChartChoice, ChartKind, ChartPlaceholder, Facts, HoverTarget, Scene, Shown,
-    of_noise,
-};
+use super::{Bar, ChartChoice, ChartKind, ChartPlaceholder, Scene, Shown, of_noise};
 use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::core::search::terms;
 use crate::gui::help;
@@ -26,49 +21,43 @@ const ROOM: f64 = 0.30;
 /// Rows of names.
 const ROWS: usize = 3;
 
-pub(crate) struct Orders;
+pub(crate) static ORDERS: ChartKind = ChartKind::new(
+    "order spectrum",
+    help::ORDERS,
+    ChartChoice::Joint,
+    show,
+    numbers,
+);
 
-impl ChartKind for Orders {
-    fn about(&self) -> About {
-        let name = help::ORDERS.name;
-        About::new("order spectrum", name, help::ORDERS, ChartChoice::Joint)
-    }
+fn show(scene: &Scene) -> Result<Shown, ChartPlaceholder> {
+    let spectrum = spectrum(scene)?;
+    let component = scene.component.name();
+    let name = say!("order spectrum, {component}", component);
+    let mut shown = Shown::new(drawn(scene, &spectrum), name);
+    let bars = spectrum.orders.iter().enumerate();
+    let bars = bars.map(|(slot, order)| bar(scene.units, &spectrum, slot, order));
+    shown.bars = bars.collect();
+    Ok(shown)
+}
 
-    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
-        let spectrum = spectrum(scene)?;
-        Ok(Shown {
-            chart: drawn(scene, &spectrum),
-            name: say!(
-                "order spectrum, {component}",
-                component = scene.component.name()
-            ),
-            description: describe(scene, &spectrum),
-            pointed: HoverTarget::Bars(Box::new(DrawnOrders {
-                units: scene.units,
-                spectrum,
-            })),
-        })
+/// Every order.
+fn numbers(scene: &Scene) -> Table {
+    let mut table = Table::headed(
+        "order | before, mm | noise before, mm | after, mm | noise after, mm | usual cause",
+    );
+    let spectrum = spectrum(scene);
+    for order in spectrum.iter().flat_map(|spectrum| &spectrum.orders) {
+        let cause = spectrum.as_ref().ok().and_then(|s| cause(s, order.order));
+        table.row([
+            order.order.into(),
+            order.before.mm.into(),
+            order.before.line_mm.into(),
+            order.after.map(|a| a.mm).into(),
+            order.after.and_then(|a| a.line_mm).into(),
+            Cell::from(cause),
+        ]);
     }
-
-    /// Every order.
-    fn numbers(&self, scene: &Scene) -> Table {
-        let mut table = Table::headed(
-            "order | before, mm | noise before, mm | after, mm | noise after, mm | usual cause",
-        );
-        let spectrum = spectrum(scene);
-        for order in spectrum.iter().flat_map(|spectrum| &spectrum.orders) {
-            let cause = spectrum.as_ref().ok().and_then(|s| cause(s, order.order));
-            table.row([
-                order.order.into(),
-                order.before.mm.into(),
-                order.before.line_mm.into(),
-                order.after.map(|a| a.mm).into(),
-                order.after.and_then(|a| a.line_mm).into(),
-                Cell::from(cause),
-            ]);
-        }
-        table
-    }
+    table
 }
 
 /// Orders of gears of the charts' joint, as far as a search or the model knows them.
@@ -113,34 +102,22 @@ fn spectrum(scene: &Scene) -> Result<Spectrum, ChartPlaceholder> {
 }
 
 /// What the pointer finds.
-struct DrawnOrders {
-    units: Units,
-    spectrum: Spectrum,
-}
-
-impl Bars for DrawnOrders {
-    fn at(&self, x: f64) -> Option<Facts> {
-        let slot = (x.round() >= 0.0).then(|| whole(x.round()))?;
-        let order = self.spectrum.orders.get(slot)?;
-        let units = self.units;
-        let mut lines = Vec::new();
-        let cause = cause(&self.spectrum, order.order);
-        lines.extend(cause.map(|cause| (say!("usual cause").to_owned(), cause.to_owned())));
-        for (name, amplitude) in [
-            (say!("before"), Some(order.before)),
-            (say!("after"), order.after),
-        ] {
-            let Some(amplitude) = amplitude else { continue };
-            lines.push((name.to_owned(), units.length(amplitude.mm)));
-            if let Some(line) = amplitude.line_mm {
-                lines.push((say!("noise, {name}", name), units.length(line)));
-            }
-        }
-        Some(Facts {
-            title: say!("order {order}", order = order.order),
-            lines,
-            samples: Vec::new(),
-        })
+fn bar(units: Units, spectrum: &Spectrum, slot: usize, order: &Order) -> Bar {
+    let mut lines = Vec::new();
+    let cause = cause(spectrum, order.order);
+    lines.extend(cause.map(|cause| (say!("usual cause").to_owned(), cause.to_owned())));
+    let before = (say!("before"), order.before);
+    let after = order.after.map(|amplitude| (say!("after"), amplitude));
+    for (name, amplitude) in std::iter::once(before).chain(after) {
+        lines.push((name.to_owned(), units.length(amplitude.mm)));
+        let line = amplitude.line_mm.map(|line| units.length(line));
+        lines.extend(line.map(|line| (say!("noise, {name}", name), line)));
+    }
+    Bar {
+        x: [-0.5, 0.5].map(|end| slot as f64 + end),
+        title: say!("order {order}", order = order.order),
+        lines,
+        samples: Vec::new(),
     }
 }
 
@@ -262,41 +239,6 @@ fn note(spectrum: &Spectrum) -> String {
     let mut notes = vec![line];
     notes.extend(limits(spectrum));
     notes.join(" · ")
-}
-
-/// What is seen, in words.
-fn describe(scene: &Scene, spectrum: &Spectrum) -> String {
-    let units = scene.units;
-    let out = |pick: fn(&Order) -> Option<Amplitude>| {
-        let orders = spectrum.orders.iter();
-        let out = orders.filter_map(|o| Some((o.order, pick(o).filter(|a| a.stands_out())?.mm)));
-        let mut out: Vec<(usize, f64)> = out.collect();
-        out.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let words = out.iter().take(4).map(|(order, mm)| {
-            let cause = cause(spectrum, *order);
-            let cause = cause.map_or_else(String::new, |cause| format!(" ({cause})"));
-            let (order, amplitude) = (format!("{order}{cause}"), units.length(*mm));
-            say!("order {order} with {amplitude}", order, amplitude)
-        });
-        let words: Vec<String> = words.collect();
-        if words.is_empty() {
-            say!("nothing above the noise").to_owned()
-        } else {
-            words.join(", ")
-        }
-    };
-    let (orders, component) = (spectrum.orders.len(), scene.component.name());
-    let before = out(|o| Some(o.before));
-    let mut says = say!(
-        "{orders} orders of the {component} deviation; before: {before}",
-        orders,
-        component,
-        before
-    );
-    if scene.answer().is_some() {
-        says += &format!("; {}: {}", say!("after"), out(|o| o.after));
-    }
-    format!("{says}; {}", note(spectrum))
 }
 
 /// A range of less than this part of a turn is said to be less than a turn.

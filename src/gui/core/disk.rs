@@ -2,8 +2,7 @@
 //! whether it still does: time, length and, where these differ, a hash. A file that was only touched has not changed.
 
 use std::borrow::Cow;
-use std::fs::{self, File};
-use std::io::{self, Read};
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
@@ -41,7 +40,7 @@ impl Fingerprint {
     /// How a file looks now; `None` where it cannot be read.
     pub(crate) fn of(path: &Path) -> Option<Self> {
         let (modified, length) = outside(path)?;
-        let hash = hash(path).ok()?;
+        let hash = Sha256::digest(fs::read(path).ok()?).into();
         Some(Self {
             path: path.to_path_buf(),
             modified,
@@ -59,9 +58,9 @@ impl Fingerprint {
         if modified.is_some() && modified == self.modified && length == self.length {
             return None;
         }
-        match hash(&self.path) {
+        match fs::read(&self.path).map(Sha256::digest) {
             Err(_) => Some(FileChange::Vanished),
-            Ok(hash) if hash == self.hash => None,
+            Ok(hash) if hash[..] == self.hash => None,
             Ok(_) => Some(FileChange::Changed),
         }
     }
@@ -71,18 +70,6 @@ fn outside(path: &Path) -> Option<(Option<SystemTime>, u64)> {
     let metadata = fs::metadata(path).ok()?;
     let is_file = metadata.is_file();
     is_file.then(|| (metadata.modified().ok(), metadata.len()))
-}
-
-fn hash(path: &Path) -> io::Result<[u8; 32]> {
-    let mut file = File::open(path)?;
-    let mut sha = Sha256::new();
-    let mut block = vec![0; 1 << 16];
-    loop {
-        match file.read(&mut block)? {
-            0 => return Ok(sha.finalize().into()),
-            n => sha.update(&block[..n]),
-        }
-    }
 }
 
 /// A session that comes with the program: keys of what is said of it, and its files.
@@ -149,7 +136,7 @@ mod tests {
         let print = Fingerprint::of(&path).unwrap();
         assert_eq!(print.look(), None);
         let later = SystemTime::UNIX_EPOCH + std::time::Duration::from_hours(1);
-        File::options()
+        fs::File::options()
             .write(true)
             .open(&path)
             .unwrap()

@@ -33,7 +33,7 @@ pub(crate) enum Method {
 }
 
 /// Which table is exported, and how.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct ExportChoice {
     /// Name of the format.
     pub(crate) format: &'static str,
@@ -55,12 +55,7 @@ impl ExportChoice {
     pub(crate) fn usual(robot: &Robot) -> Self {
         Self {
             format: usual(robot).id,
-            joint: 0,
-            step: None,
-            zeros: None,
-            convention: None,
-            motors: Motors::default(),
-            reference: None,
+            ..Self::default()
         }
     }
 

@@ -10,28 +10,17 @@ use crate::gui::core::loaded_session::LoadedSession;
 /// Entries that are kept; the oldest goes first.
 const MOST_ENTRIES: usize = 200;
 
-/// A document of the history: as little of it as it can be made again from.
-pub(crate) trait Keep: PartialEq + Sized {
-    type Kept;
-    fn kept(document: Arc<Self>) -> Self::Kept;
-    fn whole(kept: Self::Kept) -> Arc<Self>;
-    /// What a change from one to the next is called after “Undo”.
-    fn edit(before: &Self, after: &Self) -> Template;
-}
-
 /// A document and, where its session differs from another in nothing but what is excluded, that other session and
 /// what: a million samples are not kept once for each that was excluded.
 #[derive(Debug)]
-pub(crate) struct KeptDocument {
+struct Kept {
     document: Document,
     /// The session as it was, for as long as anybody looks at it, and what is excluded of the one in the document.
     excluding: Option<(Weak<LoadedSession>, Vec<usize>)>,
 }
 
-impl Keep for Document {
-    type Kept = KeptDocument;
-
-    fn kept(document: Arc<Self>) -> KeptDocument {
+impl Kept {
+    fn of(document: Arc<Document>) -> Self {
         let mut document = Arc::unwrap_or_clone(document);
         let made_of = document.loaded_session.made_of();
         let made_of = made_of.map(|(whole, excluded)| (Arc::clone(whole), excluded));
@@ -39,15 +28,15 @@ impl Keep for Document {
             let session = std::mem::replace(&mut document.loaded_session, whole);
             (Arc::downgrade(&session), excluded)
         });
-        KeptDocument {
+        Self {
             document,
             excluding,
         }
     }
 
-    fn whole(kept: KeptDocument) -> Arc<Self> {
-        let mut document = kept.document;
-        if let Some((session, excluded)) = kept.excluding {
+    fn whole(self) -> Arc<Document> {
+        let mut document = self.document;
+        if let Some((session, excluded)) = self.excluding {
             let again = || {
                 Arc::new(LoadedSession::excluding(
                     &document.loaded_session,
@@ -58,34 +47,30 @@ impl Keep for Document {
         }
         Arc::new(document)
     }
-
-    fn edit(before: &Self, after: &Self) -> Template {
-        Self::edit(before, after)
-    }
 }
 
 #[derive(Debug)]
-struct Entry<K> {
-    document: K,
+struct Entry {
+    document: Kept,
     what: Template,
 }
 
 /// Undo and redo: whole documents, one entry for each finished gesture.
 ///
-/// Documents share what did not change behind `Arc`s, so that keeping many costs little ([`Keep`]). While a
+/// Documents share what did not change behind `Arc`s, so that keeping many costs little. While a
 /// gesture (a drag) is under way the document changes many times; only its state before the
 /// gesture is kept.
-pub(crate) struct History<D: Keep> {
-    present: Arc<D>,
-    past: Vec<Entry<D::Kept>>,
-    future: Vec<Entry<D::Kept>>,
+pub(crate) struct History {
+    present: Arc<Document>,
+    past: Vec<Entry>,
+    future: Vec<Entry>,
     /// The document before the gesture that is under way.
-    gesture: Option<Arc<D>>,
+    gesture: Option<Arc<Document>>,
 }
 
-impl<D: Keep> History<D> {
+impl History {
     /// A history that starts here.
-    pub(crate) fn new(document: D) -> Self {
+    pub(crate) fn new(document: Document) -> Self {
         Self {
             present: Arc::new(document),
             past: Vec::new(),
@@ -95,19 +80,19 @@ impl<D: Keep> History<D> {
     }
 
     /// The document as it is now.
-    pub(crate) fn present(&self) -> &Arc<D> {
+    pub(crate) fn present(&self) -> &Arc<Document> {
         &self.present
     }
 
     /// A finished change.
-    pub(crate) fn change(&mut self, document: D) {
+    pub(crate) fn change(&mut self, document: Document) {
         self.finish_gesture();
         self.change_within_gesture(document);
         self.finish_gesture();
     }
 
     /// A change within a gesture; the first one begins it.
-    pub(crate) fn change_within_gesture(&mut self, document: D) {
+    pub(crate) fn change_within_gesture(&mut self, document: Document) {
         if *self.present != document {
             let before = std::mem::replace(&mut self.present, Arc::new(document));
             self.gesture.get_or_insert(before);
@@ -120,8 +105,8 @@ impl<D: Keep> History<D> {
         let Some(before) = before.filter(|before| **before != *self.present) else {
             return;
         };
-        let what = D::edit(&before, &self.present);
-        let document = D::kept(before);
+        let what = Document::edit(&before, &self.present);
+        let document = Kept::of(before);
         self.past.push(Entry { document, what });
         self.future.clear();
         if self.past.len() > MOST_ENTRIES {
@@ -132,7 +117,7 @@ impl<D: Keep> History<D> {
     /// What the next undo takes back.
     pub(crate) fn undoes(&self) -> Option<Template> {
         let open = self.gesture.as_ref();
-        let open = open.map(|before| D::edit(before, &self.present));
+        let open = open.map(|before| Document::edit(before, &self.present));
         open.or_else(|| Some(self.past.last()?.what))
     }
 
@@ -155,17 +140,13 @@ impl<D: Keep> History<D> {
 }
 
 /// The newest entry of one side is the present one now, which is kept on the other. Whether there was one.
-fn step<D: Keep>(
-    present: &mut Arc<D>,
-    from: &mut Vec<Entry<D::Kept>>,
-    to: &mut Vec<Entry<D::Kept>>,
-) -> bool {
+fn step(present: &mut Arc<Document>, from: &mut Vec<Entry>, to: &mut Vec<Entry>) -> bool {
     let Some(Entry { document, what }) = from.pop() else {
         return false;
     };
-    let document = std::mem::replace(present, D::whole(document));
+    let document = std::mem::replace(present, document.whole());
     to.push(Entry {
-        document: D::kept(document),
+        document: Kept::of(document),
         what,
     });
     true
@@ -175,71 +156,69 @@ fn step<D: Keep>(
 mod tests {
     use super::*;
 
-    impl Keep for i32 {
-        type Kept = Arc<Self>;
-
-        fn kept(document: Arc<Self>) -> Arc<Self> {
-            document
+    /// A document that differs from others by its tolerance.
+    fn document(tolerance: i32) -> Document {
+        thread_local! {
+            static FIRST: Document = crate::gui::testing::workbench().document().clone();
         }
-
-        fn whole(kept: Arc<Self>) -> Arc<Self> {
-            kept
+        Document {
+            tolerance_mm: Some(f64::from(tolerance)),
+            ..FIRST.with(Clone::clone)
         }
+    }
 
-        /// A name that no person reads.
-        fn edit(_: &Self, _: &Self) -> Template {
-            Template::new("", "count", "")
-        }
+    fn present(history: &History) -> f64 {
+        history.present().tolerance_mm.expect("it has one")
     }
 
     #[test]
     fn a_gesture_is_one_entry_however_many_steps_it_has() {
-        let mut history = History::new(0);
+        let mut history = History::new(document(0));
         for k in 1..=50 {
-            history.change_within_gesture(k);
+            history.change_within_gesture(document(k));
         }
         history.finish_gesture();
         assert!(history.undoes().is_some());
         assert!(history.undo());
-        assert_eq!(**history.present(), 0);
+        assert_eq!(present(&history), 0.0);
         assert!(!history.undo());
         assert!(history.redo());
-        assert_eq!(**history.present(), 50);
+        assert_eq!(present(&history), 50.0);
     }
 
     #[test]
     fn a_gesture_that_comes_back_leaves_no_entry() {
-        let mut history = History::new(7);
-        history.change_within_gesture(8);
-        history.change_within_gesture(7);
+        let mut history = History::new(document(7));
+        history.change_within_gesture(document(8));
+        history.change_within_gesture(document(7));
         history.finish_gesture();
         assert_eq!(history.undoes(), None);
     }
 
     #[test]
     fn undo_in_the_middle_of_a_gesture_takes_the_gesture_back() {
-        let mut history = History::new(1);
-        history.change(2);
-        history.change_within_gesture(3);
+        let mut history = History::new(document(1));
+        history.change(document(2));
+        history.change_within_gesture(document(3));
         assert!(history.undo());
-        assert_eq!(**history.present(), 2);
+        assert_eq!(present(&history), 2.0);
     }
 
     #[test]
     fn a_new_change_after_undo_forgets_what_was_undone() {
-        let mut history = History::new(1);
-        history.change(2);
+        let mut history = History::new(document(1));
+        history.change(document(2));
         history.undo();
-        history.change(3);
+        history.change(document(3));
         assert!(!history.redo());
-        assert_eq!(**history.present(), 3);
+        assert_eq!(present(&history), 3.0);
     }
 
     #[test]
     fn the_history_does_not_grow_without_end() {
-        let mut history = History::new(0);
+        let mut history = History::new(document(0));
         for k in 1..=2 * i32::try_from(MOST_ENTRIES).unwrap() {
-            history.change(k);
+            history.change(document(k));
         }
         let mut undone = 0;
         while history.undo() {

@@ -18,11 +18,12 @@ use crate::lanes::{add_scaled, cross, dot, minus};
 use crate::model::Positions;
 use crate::numeric::single;
 use crate::progress::{Cancelled, Progress, ProgressSpan, unwatched};
+use crate::sessions::regions::Assignment;
 use crate::sessions::{Region, Session};
 
 use super::overview::{Coverage, Overview, measuring_from_base};
 use crate::gui::core::disk::Fingerprint;
-use crate::gui::core::regions::{Counts, counted};
+use crate::gui::core::regions::{Count, Counts};
 
 /// Where a session came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -139,7 +140,6 @@ impl LoadedSession {
         let problem = Problem::new(&session, JointValues::Commanded);
         let model = base_model::nominal(&session.robot, &session, &problem);
         let base = measuring_from_base(&model, 0.0);
-        part.reached(0.1)?;
         let nominal = model.predict(&problem.inputs);
         part.reached(0.2)?;
         let before = deviations(&problem, &model);
@@ -157,7 +157,6 @@ impl LoadedSession {
             &before.length_mm,
             (single && arm_mm > 0.0).then_some(arm_mm),
         );
-        part.reached(0.6)?;
         let coverage = Coverage::new(&session, &problem.inputs);
         part.reached(0.8)?;
         let loaded_session = Self {
@@ -226,9 +225,21 @@ impl LoadedSession {
 
     /// The samples of each region along joint 1, and those in none.
     pub(crate) fn counted(&self, regions: &[Region]) -> Counts {
-        let held_out = self.session.samples.held_out.as_deref();
-        let is_fitted = |i: usize| self.usable[i] && !held_out.is_some_and(|h| h[i]);
-        counted(regions, &self.session.samples.q[0], is_fitted)
+        let samples = &self.session.samples;
+        let held_out = samples.held_out.as_deref();
+        let assignment = Assignment::new(regions);
+        let mut counts = vec![Count::default(); regions.len()];
+        let mut outside = 0;
+        for (i, q) in samples.q[0].iter().enumerate() {
+            if let Some(region) = assignment.region_of(*q) {
+                let is_fitted = self.usable[i] && !held_out.is_some_and(|h| h[i]);
+                counts[region].all += 1;
+                counts[region].fitted += usize::from(is_fitted);
+            } else {
+                outside += usize::from(q.is_finite());
+            }
+        }
+        (counts, outside)
     }
 
     /// Whether nothing was measured: a model stands by itself.
@@ -384,12 +395,9 @@ pub(crate) struct Cloud {
     pub(crate) centre_mm: [f64; 3],
 }
 
-/// What an answer leaves of the deviations, mm, and 1 where the sample is suspected; in the order of the [`Cloud`].
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Remainder {
-    /// One for each sample of the cloud.
-    pub(crate) rows: Vec<RemainderRow>,
-}
+/// What an answer leaves of the deviations, mm, and 1 where the sample is suspected: a row for each sample of the
+/// [`Cloud`].
+pub(crate) type Remainder = Vec<RemainderRow>;
 
 impl Cloud {
     /// The usable samples of a session.
@@ -427,9 +435,7 @@ impl Cloud {
             let [x, y, z] = [0, 1, 2].map(|k| single(after_mm[k][sample]));
             [x, y, z, mark]
         };
-        Remainder {
-            rows: self.samples.iter().map(row).collect(),
-        }
+        self.samples.iter().map(row).collect()
     }
 }
 

@@ -11,7 +11,6 @@ use crate::language::spoken;
 use crate::pipeline::{self, identify};
 use crate::present::units::Units;
 use crate::sessions::division::RegionChoice;
-use crate::sessions::regions::Assignment;
 use crate::sessions::{Region, Session};
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -219,27 +218,6 @@ pub(crate) struct Count {
 
 /// Those of each region, and how many samples are in none.
 pub(crate) type Counts = (Vec<Count>, usize);
-
-/// The samples of each region, and those at an angle that is in none; `q_rad` are the angles, rad.
-pub(crate) fn counted(
-    regions: &[Region],
-    q_rad: &[f64],
-    is_fitted: impl Fn(usize) -> bool,
-) -> Counts {
-    let assignment = Assignment::new(regions);
-    let mut counts = vec![Count::default(); regions.len()];
-    let mut outside = 0;
-    for (i, q) in q_rad.iter().enumerate() {
-        match assignment.region_of(*q) {
-            Some(region) => {
-                counts[region].all += 1;
-                counts[region].fitted += usize::from(is_fitted(i));
-            }
-            None => outside += usize::from(q.is_finite()),
-        }
-    }
-    (counts, outside)
-}
 
 // How the regions came about, and what the adaptive division decided and why.
 

@@ -17,12 +17,6 @@ pub(crate) struct Search {
     pub(crate) answer: Result<Diagnosis, String>,
 }
 
-/// The stage in which names are found.
-const SEARCHING: usize = 2;
-
-/// Part of the whole that is done when a stage begins.
-const BEGUN: [f64; 5] = [0.02, 0.1, 0.25, 0.7, 0.85];
-
 only_itself!(Search);
 
 impl Search {
@@ -47,22 +41,16 @@ impl Search {
 /// Passes on how far a search is, and whether it was cancelled.
 pub(crate) fn progress_callback(watch: &Watch) -> impl Fn(&Progress) -> bool {
     |progress| {
-        let mut share = 0.0;
-        let stage = match progress {
-            Progress::Checking => 0,
-            Progress::Preparing => 1,
+        watch.done(match progress {
+            Progress::Checking => 0.02,
+            Progress::Preparing => 0.1,
             Progress::Searching { found, percent } => {
                 watch.found(found);
-                share = f64::from(*percent) / 100.0;
-                SEARCHING
+                0.25 + 0.45 * f64::from(*percent) / 100.0
             }
-            Progress::Comparing => 3,
-            Progress::Planning => 4,
-        };
-        // Of a stage that says how far it is, the part that is done.
-        let until = BEGUN.get(stage + 1).copied().unwrap_or(1.0);
-        watch.done(BEGUN[stage] + share * (until - BEGUN[stage]));
-
+            Progress::Comparing => 0.7,
+            Progress::Planning => 0.85,
+        });
         !watch.stopped()
     }
 }

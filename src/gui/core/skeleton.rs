@@ -7,13 +7,6 @@ use crate::kinematics::{Axis, Robot};
 /// Axes that enclose less than this (its sine) have no common perpendicular worth drawing.
 const PARALLEL: f64 = 0.02;
 
-/// A corner of the chain at home, and how many joints move it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Node {
-    at_home: Point3<f64>,
-    joints: usize,
-}
-
 /// The robot at one pose as strokes from base to tool, mm of the base frame.
 ///
 /// A chain of axes has no links of its own, so that they are drawn where the axes put them: along
@@ -31,7 +24,8 @@ struct Node {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Skeleton<'a> {
     robot: &'a Robot,
-    nodes: Vec<Node>,
+    /// Corners of the chain at home, and how many joints move each.
+    nodes: Vec<(Point3<f64>, usize)>,
 }
 
 impl<'a> Skeleton<'a> {
@@ -40,10 +34,7 @@ impl<'a> Skeleton<'a> {
         let tool = robot.base_from_tool * target_mm;
         let base = Point3::origin();
         let axes: Vec<&Axis> = robot.joints.iter().map(|joint| &joint.axis).collect();
-        let mut nodes = vec![Node {
-            at_home: base,
-            joints: 0,
-        }];
+        let mut nodes = vec![(base, 0)];
         let mut last = base;
         let mut enters = axes.first().map(|axis| on_axis(axis, &base));
         for (k, axis) in axes.iter().enumerate() {
@@ -55,20 +46,10 @@ impl<'a> Skeleton<'a> {
                     None => (enter, Some(on_axis(next, &enter))),
                 },
             };
-            nodes.push(Node {
-                at_home: enter,
-                joints: k,
-            });
-            nodes.push(Node {
-                at_home: leave,
-                joints: k + 1,
-            });
+            nodes.extend([(enter, k), (leave, k + 1)]);
             (last, enters) = (leave, next);
         }
-        nodes.push(Node {
-            at_home: tool,
-            joints: axes.len(),
-        });
+        nodes.push((tool, axes.len()));
         Self { robot, nodes }
     }
 
@@ -78,8 +59,9 @@ impl<'a> Skeleton<'a> {
             return None;
         }
         let motions = self.robot.motions_from_home(q);
-        let moved = self.nodes.iter();
-        Some(moved.map(|n| motions[n.joints] * n.at_home).collect())
+        let nodes = self.nodes.iter();
+        let moved = nodes.map(|(at_home, joints)| motions[*joints] * at_home);
+        Some(moved.collect())
     }
 }
 

@@ -159,7 +159,7 @@ fn words(ui: &mut Ui, workbench: &Workbench) {
     let high = (ui.ctx().content_rect().height() - REST).clamp(120.0, 460.0);
     ScrollArea::vertical().max_height(high).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
-        let charts = CHARTS.iter().map(|chart| chart.about().word);
+        let charts = CHARTS.iter().map(|chart| chart.word);
         let charts = charts.filter(|word| !help::ALL.contains(word));
         for word in help::ALL.iter().copied().chain(charts) {
             ui.bold(word.name());

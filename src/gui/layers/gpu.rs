@@ -236,7 +236,7 @@ impl Drawer {
             return;
         }
         let buffers = if let Some(remainder) = remainder {
-            let chunks = remainder.rows.chunks(CHUNK);
+            let chunks = remainder.chunks(CHUNK);
             let buffer = |chunk| vertices(device, bytemuck::cast_slice(chunk));
             chunks.map(buffer).collect()
         } else {
@@ -360,7 +360,7 @@ impl Target {
 mod tests {
     use std::sync::Arc;
 
-    use crate::gui::core::loaded_session::{Cloud, Place, Remainder};
+    use crate::gui::core::loaded_session::{Cloud, Place};
     use crate::gui::layers::tests::{as_parts, can_draw, drawn, frame, look, transform};
     use crate::gui::layers::{Frame, LayerOptions};
     use crate::gui::style::LIGHT;
@@ -373,9 +373,7 @@ mod tests {
     /// Two vectors along x at one place of the screen, so near to the viewer, mm.
     fn middle(nearness_mm: [f32; 2]) -> [f64; 3] {
         let place = |z: f32| -> Place { [3.0, 0.0, z, 3.0, 0.0, 0.0] };
-        let remainder = Arc::new(Remainder {
-            rows: vec![[3.0, 0.0, 0.0, 0.0]; 2],
-        });
+        let remainder = Arc::new(vec![[3.0, 0.0, 0.0, 0.0]; 2]);
         let cloud = Arc::new(Cloud {
             places: nearness_mm.map(place).to_vec(),
             samples: vec![0, 1],

@@ -16,7 +16,7 @@ use crate::gui::view::Plane;
 
 use super::gpu::{CloudLayer, register};
 use super::{Frame, HEAT, LayerOptions, WIDTH, heat_map, map_in_plot, scale_at};
-use crate::gui::cache::heat::Heat;
+use crate::gui::cache::heat::{Heat, SIGMA};
 use crate::gui::core::loaded_session::{Cloud, Place, Remainder};
 
 const SIZE: Vec2 = egui::vec2(240.0, 160.0);
@@ -117,9 +117,7 @@ fn cloud() -> (Arc<Cloud>, Arc<Remainder>) {
         samples: (0..5).collect(),
         ..Cloud::default()
     };
-    let remainder = Remainder {
-        rows: ARROWS.iter().map(row).collect(),
-    };
+    let remainder: Remainder = ARROWS.iter().map(row).collect();
     (Arc::new(cloud), Arc::new(remainder))
 }
 
@@ -346,7 +344,7 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
             kept.borrow_mut().push(picture);
             shape
         });
-        let sigma_mm = heat.sigma_mm;
+        let sigma_mm = SIGMA * heat.cell_mm;
         for sample in (0..loaded_session.len()).step_by(7) {
             let at = loaded_session.measured(sample);
             // The definition, over the samples themselves.

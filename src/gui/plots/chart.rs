@@ -3,19 +3,20 @@
 
 use egui::epaint::Mesh;
 use egui::{
-    Align, Align2, Color32, FontId, Label, Layout, Painter, Pos2, Rect, Response, RichText, Role,
-    Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Align, Align2, Color32, FontId, Label, Painter, Pos2, Rect, Response, RichText, Role, Sense,
+    Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
-use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
+use egui_plot::{Axis, Plot, PlotBounds, PlotPoint, PlotTransform};
 
-use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Ticks};
+use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Mark, Ticks};
 use crate::present::drawing::Anchor;
 
+use crate::gui::charts::{Bar, Shown};
 use crate::gui::style::{Palette, size};
 use crate::gui::widgets::Words;
 use crate::gui::workbench::Workbench;
 
-use crate::gui::plots::{self, many, mark, of_chart, places};
+use crate::gui::plots::{self, mark, of_chart, places};
 
 /// What something that stands for this is drawn in.
 fn color(stands: ColourRole, palette: &Palette) -> Color32 {
@@ -29,57 +30,52 @@ fn color(stands: ColourRole, palette: &Palette) -> Color32 {
     }
 }
 
-/// Shows a chart, and more on top of it: what was done with it, and where it is. Charts of another
-/// `id` are looked at anew.
+/// Shows a chart, rings around some samples, and a frame around the bars of one. Charts of another `id` are looked at
+/// anew.
 pub(crate) fn show(
     ui: &mut Ui,
     id: (&str, bool, u64),
-    chart: &Chart,
-    more: impl FnOnce(&Canvas<'_>, &mut Vec<Shape>),
+    shown: &Shown,
+    ringed: impl Iterator<Item = usize>,
+    framed: Option<usize>,
 ) -> (Response, PlotTransform) {
-    let palette = Palette::of(ui);
-    let alone = !chart
-        .items
-        .iter()
-        .any(|item| item.colour_role() == Some(ColourRole::After));
-    let beside = label_width(ui.painter(), chart, &palette);
+    let (palette, chart) = (Palette::of(ui), &shown.chart);
     // No closer than their numbers need, which are left out otherwise.
-    let room = (ui.available_width() - beside.max(40.0)) / 50.0;
-    let most = f64::from(room.clamp(3.0, 9.0));
-    let plot = plot(id, chart, beside, most, &palette);
+    let room = (ui.available_width() - 40.0) / 50.0;
+    let plot = plot(id, chart, f64::from(room.clamp(3.0, 9.0)), &palette);
     plots::show(ui, plot, chart.bounds, |painter, transform| {
-        let canvas = Canvas {
-            transform,
-            painter,
-            palette: &palette,
-            alone,
-        };
-        let mut shapes = Vec::new();
-        for item in &chart.items {
-            canvas.draw(item, &mut shapes);
+        let canvas = Canvas::new(transform, painter, &palette, chart);
+        let mut shapes = canvas.drawn(shown);
+        let at = |sample: usize| shown.series.iter().rev().find_map(|one| one.at(sample));
+        let ring = Stroke::new(2.5, palette.accent);
+        let ringed = ringed.filter_map(at);
+        shapes.extend(ringed.map(|at| Shape::circle_stroke(canvas.at(at), 8.0, ring)));
+        let of = |bar: &&Bar| framed.is_some_and(|one| bar.samples.binary_search(&one).is_ok());
+        for bar in shown.bars.iter().filter(of) {
+            let [from, to] = bar.x.map(|x| canvas.at([x, 0.0]).x);
+            let rect = Rect::from_x_y_ranges(from..=to, transform.frame().y_range());
+            let stroke = Stroke::new(2.0, palette.accent);
+            shapes.push(Shape::rect_stroke(rect, 2.0, stroke, StrokeKind::Inside));
         }
-        more(&canvas, &mut shapes);
         shapes
     })
 }
 
-/// Room for the words beside a chart, points; none where it has numbers.
-fn label_width(painter: &Painter, chart: &Chart, palette: &Palette) -> f32 {
-    let Ticks::Words(words) = &chart.upwards.ticks else {
-        return 0.0;
+/// A chart without its axes, so small that its marks are dots.
+pub(crate) fn sketch(painter: &Painter, room: Rect, shown: &Shown, palette: &Palette) {
+    let [low, high] = shown.chart.bounds;
+    let bounds = PlotBounds::from_min_max(low, high);
+    let transform = PlotTransform::new(room, bounds, false);
+    let canvas = Canvas {
+        scale: 0.45,
+        ..Canvas::new(&transform, painter, palette, &shown.chart)
     };
-    let font = FontId::proportional(size::SMALL);
-    let wide = words.iter().map(|(_, word)| {
-        let galley = painter.layout_no_wrap(word.clone(), font.clone(), palette.text);
-        galley.size().x + 12.0
-    });
-    wide.fold(0.0, f32::max)
+    painter.extend(canvas.drawn(shown));
 }
 
 fn plot<'a>(
     id: impl std::hash::Hash + std::fmt::Debug,
     chart: &Chart,
-    label_width: f32,
     most: f64,
     palette: &Palette,
 ) -> Plot<'a> {
@@ -99,28 +95,56 @@ fn plot<'a>(
         .show_grid(lines)
         .x_grid_spacer(move |input| places(&x, input.bounds, most))
         .y_grid_spacer(move |input| places(&y, input.bounds, 4.0))
-        .custom_x_axes(of_chart(Axis::X, across, palette, 0.0))
-        .custom_y_axes(of_chart(Axis::Y, upwards, palette, label_width))
+        .custom_x_axes(of_chart(Axis::X, across, palette))
+        .custom_y_axes(of_chart(Axis::Y, upwards, palette))
 }
 
 /// What a chart is drawn on.
-pub(crate) struct Canvas<'a> {
-    pub(crate) transform: &'a PlotTransform,
+struct Canvas<'a> {
+    transform: &'a PlotTransform,
     painter: &'a Painter,
-    pub(crate) palette: &'a Palette,
+    palette: &'a Palette,
     /// Whether there is nothing after to be seen through what was before.
     alone: bool,
+    /// How large marks and how thick lines are.
+    scale: f32,
 }
 
 /// A dash and the gap after it, points.
 const DASH: [f32; 2] = [5.0, 3.5];
 
-impl Canvas<'_> {
-    pub(crate) fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
+impl<'a> Canvas<'a> {
+    fn new(
+        transform: &'a PlotTransform,
+        painter: &'a Painter,
+        palette: &'a Palette,
+        chart: &Chart,
+    ) -> Self {
+        let after = |item: &Item| item.colour_role() == Some(ColourRole::After);
+        Self {
+            transform,
+            painter,
+            palette,
+            alone: !chart.items.iter().any(after),
+            scale: 1.0,
+        }
+    }
+
+    fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
         self.transform.position_from_point(&PlotPoint::new(x, y))
     }
 
-    pub(crate) fn draw(&self, item: &Item, shapes: &mut Vec<Shape>) {
+    /// What is in sight of a chart.
+    fn drawn(&self, shown: &Shown) -> Vec<Shape> {
+        let bounds = self.transform.bounds();
+        let mut shapes = Vec::new();
+        for item in shown.in_sight([bounds.min()[0], bounds.max()[0]]) {
+            self.draw(&item, &mut shapes);
+        }
+        shapes
+    }
+
+    fn draw(&self, item: &Item, shapes: &mut Vec<Shape>) {
         let palette = self.palette;
         let color = item
             .colour_role()
@@ -149,7 +173,7 @@ impl Canvas<'_> {
             Item::Line(points, _, width, dashed) => {
                 let points = points.iter().map(|p| self.at(*p));
                 let points: Vec<Pos2> = points.filter(|p| p.is_finite()).collect();
-                let stroke = Stroke::new(*width, color);
+                let stroke = Stroke::new(*width * self.scale, color);
                 if *dashed {
                     shapes.extend(Shape::dashed_line(&points, stroke, DASH[0], DASH[1]));
                 } else {
@@ -165,25 +189,19 @@ impl Canvas<'_> {
                     let edge = Stroke::new(1.2, color.gamma_multiply(0.75));
                     (Color32::TRANSPARENT, edge, 3.2)
                 };
-                let places = marks.iter().map(|m| (self.at(m.at), m.form));
-                let ctx = self.painter.ctx();
-                many(ctx, places, (radius, fill, stroke), shapes);
+                let radius = radius * self.scale;
+                let mark = |one: &Mark| mark(self.at(one.at), radius, one.form, fill, stroke);
+                shapes.extend(marks.iter().map(mark));
             }
             Item::Word(word) => {
                 let font = FontId::proportional(size::SMALL);
                 let galley = self.painter.layout_no_wrap(word.text.clone(), font, color);
-                let [across, upwards] = [
-                    match word.anchor {
-                        Anchor::Start => egui::Align::Min,
-                        Anchor::Middle => egui::Align::Center,
-                        Anchor::End => egui::Align::Max,
-                    },
-                    if word.below {
-                        egui::Align::Min
-                    } else {
-                        egui::Align::Center
-                    },
-                ];
+                let across = match word.anchor {
+                    Anchor::Start => Align::Min,
+                    Anchor::Middle => Align::Center,
+                    Anchor::End => Align::Max,
+                };
+                let upwards = [Align::Center, Align::Min][usize::from(word.below)];
                 let anchor = Align2([across, upwards]);
                 let rect = anchor.anchor_size(self.at(word.at), galley.size());
                 shapes.push(Shape::galley(rect.min, galley, color));
@@ -209,19 +227,17 @@ impl Canvas<'_> {
 
 /// What stands in the place of a chart that cannot be drawn.
 pub(crate) fn empty(ui: &mut Ui, title: &str, why: &str) {
-    let room = ui.available_size();
-    let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, format!("{title}. {why}")));
-    let inner = rect.shrink2(vec2(24.0, 0.0));
-    let wide = inner.width().min(460.0);
-    let area = Rect::from_center_size(inner.center(), vec2(wide, inner.height()));
-    let top = area.top() + 0.3 * area.height();
-    let area = area.with_min_y(top);
-    let layout = Layout::top_down(Align::Center);
-    ui.scope_builder(egui::UiBuilder::new().max_rect(area).layout(layout), |ui| {
+    let high = ui.available_height();
+    let shown = ui.vertical_centered(|ui| {
+        ui.add_space(0.3 * high);
+        ui.set_max_width(460.0);
         ui.bold(title);
         ui.hint(why);
+        ui.take_available_height();
     });
+    let name = format!("{title}. {why}");
+    let response = shown.response;
+    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, name.clone()));
 }
 
 // The legend.

@@ -7,18 +7,17 @@ pub(crate) mod chart;
 use std::fmt::Debug;
 use std::hash::Hash;
 
-use egui::epaint::{Mesh, Tessellator, Vertex};
 use egui::{
     Color32, Context, FontId, Painter, Pos2, Rangef, Response, RichText, Role, Shape, Stroke, Ui,
     Vec2, WidgetInfo, vec2,
 };
 use egui_plot::{Axis, AxisHints, GridMark, Plot, PlotResponse, PlotTransform, PlotUi};
 
-use crate::gui::charts;
+use crate::gui::charts::{self, ChartKind};
 use crate::gui::style::{Palette, size};
 use crate::gui::view::Plot as Picture;
 use crate::gui::view::What;
-use crate::gui::widgets::{self, Buttons, Does, Words};
+use crate::gui::widgets::{self, Buttons, Does};
 use crate::gui::workbench::Workbench;
 use crate::present::chart::{Form, Ticks, ticks};
 use crate::present::numbers::trimmed;
@@ -28,7 +27,7 @@ use crate::text::{Template, spoken, within};
 pub(crate) fn picture(ui: &mut Ui, plot: Picture, workbench: &Workbench) {
     let name = match plot {
         Picture::Workspace => say!("Workspace").to_owned(),
-        Picture::Chart(id) => charts::find(id).map_or_else(String::new, |c| c.about().name()),
+        Picture::Chart(id) => charts::find(id).map_or_else(String::new, ChartKind::name),
     };
     let says = say!("Save picture: {plot}…", plot = within(&name));
     let button = ui.icon_button(widgets::SAVE, &says);
@@ -69,34 +68,29 @@ pub(crate) fn axis<'a>(
     }]
 }
 
-/// A chart's axis, with a word for each place where it has words, which take up so much room.
+/// A chart's axis, with a word for each place where it has words.
 pub(super) fn of_chart<'a>(
     side: Axis,
     of: &crate::present::chart::Axis,
     palette: &Palette,
-    width: f32,
 ) -> Vec<AxisHints<'a>> {
     let hints = axis(side, of.label.clone(), palette, |x| x);
-    let Ticks::Words(words) = &of.ticks else {
+    let Ticks::Words(words) = of.ticks.clone() else {
         return hints;
-    };
-    let words = words.clone();
-    let named = move |place: f64| {
-        let word = words.iter().find(|(at, _)| (at - place).abs() < 0.5);
-        word.map_or_else(String::new, |(_, word)| word.clone())
     };
     let color = match side {
         Axis::X => palette.muted,
         Axis::Y => palette.text,
     };
-    let with_words = |hint: AxisHints<'a>| {
-        let named = named.clone();
-        let hint = hint.label_spacing(Rangef::new(10.0, 16.0));
-        hint.min_thickness(width)
-            .tick_label_color(color)
-            .formatter(move |mark, _| named(mark.value))
+    let named = move |place: f64| {
+        let word = words.iter().find(|(at, _)| (at - place).abs() < 0.5);
+        word.map_or_else(String::new, |(_, word)| word.clone())
     };
-    hints.into_iter().map(with_words).collect()
+    let hint = hints.into_iter().next_back();
+    let hint = hint.map(|hint| hint.label_spacing(Rangef::new(10.0, 16.0)));
+    let hint = hint.map(|hint| hint.tick_label_color(color));
+    let named = hint.map(|hint| hint.formatter(move |mark, _| named(mark.value)));
+    Vec::from_iter(named)
 }
 
 /// Where a chart's axis has labels between two ends, at most about `most` of them.
@@ -139,16 +133,9 @@ fn steps((low, high): (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {
 const DIAMOND: [[f32; 2]; 4] = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
 const TRIANGLE: [[f32; 2]; 3] = [[1.25, 0.0], [-0.75, 1.1], [-0.75, -1.1]];
 
-/// The same of this radius about a point, looking that way.
-fn corners_of(corners: &[[f32; 2]], at: Pos2, radius: f32, ahead: Vec2) -> Vec<Pos2> {
-    let across = vec2(-ahead.y, ahead.x);
-    let corner = |[x, y]: &[f32; 2]| at + (ahead * *x + across * *y) * radius;
-    corners.iter().map(corner).collect()
-}
-
 /// A mark of a chart.
 pub(crate) fn mark(at: Pos2, radius: f32, form: Form, fill: Color32, stroke: Stroke) -> Shape {
-    let corners = match form {
+    let (corners, radius): (&[[f32; 2]], f32) = match form {
         Form::Disc => {
             return Shape::Circle(egui::epaint::CircleShape {
                 center: at,
@@ -157,67 +144,12 @@ pub(crate) fn mark(at: Pos2, radius: f32, form: Form, fill: Color32, stroke: Str
                 stroke,
             });
         }
-        Form::Diamond => corners_of(&DIAMOND, at, 1.3 * radius, vec2(1.0, 0.0)),
-        Form::Forwards => corners_of(&TRIANGLE, at, radius, vec2(1.0, 0.0)),
-        Form::Backwards => corners_of(&TRIANGLE, at, radius, vec2(-1.0, 0.0)),
+        Form::Diamond => (&DIAMOND, 1.3 * radius),
+        Form::Forwards => (&TRIANGLE, radius),
+        Form::Backwards => (&TRIANGLE, -radius),
     };
-    Shape::convex_polygon(corners, fill, stroke)
-}
-
-/// Adds many marks that look alike but for their form. Paths are one mesh: each form is tessellated once and then
-/// set down wherever it stands, at a tenth of what as many paths cost. Filled discs stay shapes, since epaint has
-/// them in its atlas of glyphs, which may grow until the frame ends.
-pub(crate) fn many(
-    ctx: &Context,
-    places: impl ExactSizeIterator<Item = (Pos2, Form)>,
-    (radius, fill, stroke): (f32, Color32, Stroke),
-    shapes: &mut Vec<Shape>,
-) {
-    let following = places.len();
-    let options = ctx.tessellation_options(|options| *options);
-    // No text and no prepared disc is among them.
-    let mut tessellator = Tessellator::new(ctx.pixels_per_point(), options, [1, 1], Vec::new());
-    let mut stamps: Vec<(Form, Mesh)> = Vec::new();
-    let mut mesh = Mesh::default();
-    for (at, form) in places {
-        if form == Form::Disc && fill != Color32::TRANSPARENT {
-            shapes.push(mark(at, radius, form, fill, stroke));
-            continue;
-        }
-        let known = stamps.iter().position(|(of, _)| *of == form);
-        let stamp = known.unwrap_or_else(|| {
-            let mut stamp = Mesh::default();
-            let shape = mark(Pos2::ZERO, radius, form, fill, stroke);
-            tessellator.tessellate_shape(shape, &mut stamp);
-            // Room for those that follow, as if all looked like this one.
-            if stamps.is_empty() {
-                mesh.vertices.reserve(following * stamp.vertices.len());
-                mesh.indices.reserve(following * stamp.indices.len());
-            }
-            stamps.push((form, stamp));
-            stamps.len() - 1
-        });
-        set_down(&mut mesh, &stamps[stamp].1, at);
-    }
-    if !mesh.is_empty() {
-        shapes.push(Shape::mesh(mesh));
-    }
-}
-
-/// Adds a mesh about the origin, moved to a place.
-fn set_down(mesh: &mut Mesh, stamp: &Mesh, at: Pos2) {
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "as many as the indices of a mesh can name"
-    )]
-    let first = mesh.vertices.len() as u32;
-    mesh.indices
-        .extend(stamp.indices.iter().map(|index| first + index));
-    let moved = |vertex: &Vertex| Vertex {
-        pos: vertex.pos + at.to_vec2(),
-        ..*vertex
-    };
-    mesh.vertices.extend(stamp.vertices.iter().map(moved));
+    let corners = corners.iter().map(|[x, y]| at + vec2(*x, *y) * radius);
+    Shape::convex_polygon(corners.collect(), fill, stroke)
 }
 
 /// What the mouse does.
@@ -295,21 +227,14 @@ fn sound(plot: &PlotUi<'_>, closer: Vec2) -> bool {
 
 /// Four corners: shows everything again. Says how to look at a part.
 pub(crate) fn fit(ui: &mut Ui, name: &str) -> bool {
+    let says = format!("{name}\n{}", GESTURES.map(spoken).join("\n"));
     let button = ui.icon_button(widgets::FIT, name);
-    let response = button.on_hover_ui(|ui| {
-        ui.set_max_width(320.0);
-        ui.bold(name);
-        for gesture in GESTURES {
-            ui.label(RichText::new(spoken(gesture)).small());
-        }
-    });
-    response.clicked()
+    button.on_hover_text(says).clicked()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use egui::pos2;
 
     #[test]
     fn lines_are_round_in_the_unit_in_which_they_are_written() {
@@ -319,40 +244,6 @@ mod tests {
         assert_eq!(inches.len(), 7, "{inches:?}");
         for inch in inches {
             assert!((inch / 5.0 - (inch / 5.0).round()).abs() < 1e-9, "{inch}");
-        }
-    }
-
-    #[test]
-    fn many_marks_are_what_each_of_them_would_be() {
-        let ctx = Context::default();
-        let forms = [
-            Form::Diamond,
-            Form::Forwards,
-            Form::Disc,
-            Form::Backwards,
-            Form::Forwards,
-        ];
-        let at = |k: usize| pos2(10.0 + 7.3 * k as f32, 20.0 - 3.1 * k as f32);
-        let places = || forms.iter().enumerate().map(|(k, form)| (at(k), *form));
-        let stroke = Stroke::new(1.2, Color32::RED);
-        for (fill, apart) in [(Color32::TRANSPARENT, 0), (Color32::BLUE, 1)] {
-            let mut shapes = Vec::new();
-            many(&ctx, places(), (3.2, fill, stroke), &mut shapes);
-            let Some(Shape::Mesh(all)) = shapes.pop() else {
-                panic!("the last is the mesh");
-            };
-            assert_eq!(shapes.len(), apart, "discs");
-            let options = ctx.tessellation_options(|options| *options);
-            let mut tessellator = Tessellator::new(1.0, options, [1, 1], Vec::new());
-            let mut each = Mesh::default();
-            for (at, form) in places().filter(|(_, form)| apart == 0 || *form != Form::Disc) {
-                tessellator.tessellate_shape(mark(at, 3.2, form, fill, stroke), &mut each);
-            }
-            assert_eq!(all.indices, each.indices);
-            assert_eq!(all.vertices.len(), each.vertices.len());
-            for (a, b) in all.vertices.iter().zip(&each.vertices) {
-                assert!(a.pos.distance(b.pos) < 1e-4 && a.color == b.color && a.uv == b.uv);
-            }
         }
     }
 }

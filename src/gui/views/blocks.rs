@@ -89,98 +89,52 @@ pub(crate) fn warned(ui: &mut Ui, blocks: &[Block]) {
 /// Columns of a table from which on it is wide.
 const WIDE: usize = 5;
 
-/// The least room for words that break, points: a long word in small letters.
-const WORDS: f32 = 76.0;
-
-/// A table, wide ones in small letters; where it is wider than the panel its words break, and where that is not enough
-/// its rows stand one below the other.
+/// A table, wide ones in small letters; where it is wider than the panel its rows stand one below the other.
 fn table(ui: &mut Ui, index: usize, table: &Table) {
     // Intervals below their values are as small wherever they are.
     let mut cells = table.rows.iter().flatten();
     let in_two_lines = cells.any(|cell| cell.shown.contains('\n'));
-    let small = table.columns.len() > WIDE || in_two_lines;
-    let room = ui.available_width();
-    let whole = widths_of(ui, table, small);
-    if together(&whole, small) <= room {
-        return grid(ui, index, table, &whole, small);
-    }
-    let mut broken = table.clone();
-    for column in &mut broken.columns {
-        column.heading = column.heading.replace(' ', "\n");
-    }
-    let mut widths = widths_of(ui, &broken, true);
-    let short = (together(&widths, true) - room).max(0.0);
-    let columns = broken.columns.iter().zip(&mut widths);
-    let words = columns.filter_map(|(column, width)| (!column.right).then_some(width));
-    match words.max_by(|a, b| a.total_cmp(b)) {
-        Some(widest) if *widest - short >= WORDS.min(*widest) => {
-            *widest -= short;
-            grid(ui, index, &broken, &widths, true);
-        }
-        _ => one_below_the_other(ui, table),
-    }
-}
-
-/// Size of its letters, and how far apart its columns are at least, points.
-const fn letters(small: bool) -> (f32, f32) {
-    if small {
+    let (letters, apart) = if table.columns.len() > WIDE || in_two_lines {
         (size::SMALL, 5.0)
     } else {
         (size::BODY, 12.0)
-    }
-}
-
-/// As wide as the panel, so that tables below each other have their last columns below each other.
-fn grid(ui: &mut Ui, index: usize, table: &Table, widths: &[f32], small: bool) {
-    let (letters, apart) = letters(small);
-    let spare = (ui.available_width() - together(widths, small)).max(0.0);
-    let gaps = table.columns.len().saturating_sub(1).max(1);
-    let apart = apart + (spare / gaps as f32).floor();
-    let aligned = |ui: &mut Ui, column: &Column, width: f32, text: RichText| {
-        if column.right {
-            return widgets::cell_right(ui, text);
-        }
-        let words = |ui: &mut Ui| {
-            ui.set_max_width(width);
-            ui.add(egui::Label::new(text).wrap())
-        };
-        let across = egui::Layout::left_to_right(egui::Align::Center);
-        ui.with_layout(across, words).inner
     };
-    let grid = Grid::new(("table of an answer", index)).spacing([apart, 4.0]);
+    let width = |text: &str, size| widgets::width_of(ui, text, FontId::proportional(size));
+    let columns = table.columns.iter().enumerate().map(|(k, column)| {
+        let cells = table.rows.iter().filter_map(|row| row.get(k));
+        let cells = cells.map(|cell| width(&with_minus_signs(&cell.shown), letters));
+        cells
+            .fold(width(&column.heading, size::SMALL), f32::max)
+            .ceil()
+    });
+    let gaps = table.columns.len().saturating_sub(1).max(1) as f32;
+    let spare = ui.available_width() - columns.sum::<f32>() - apart * gaps;
+    if spare < 0.0 {
+        return one_below_the_other(ui, table);
+    }
+    let cell = |ui: &mut Ui, column: &Column, text: RichText| {
+        if column.right {
+            widgets::cell_right(ui, text)
+        } else {
+            ui.label(text)
+        }
+    };
+    // As wide as the panel, so that tables below each other have their last columns below each other.
+    let spacing = [apart + (spare / gaps).floor(), 4.0];
+    let grid = Grid::new(("table of an answer", index)).spacing(spacing);
     grid.min_col_width(0.0).show(ui, |ui| {
-        for (column, width) in table.columns.iter().zip(widths) {
-            let heading = RichText::new(&column.heading).small().weak();
-            aligned(ui, column, *width, heading);
+        for column in &table.columns {
+            cell(ui, column, RichText::new(&column.heading).small().weak());
         }
         ui.end_row();
         for row in &table.rows {
-            for ((cell, column), width) in row.iter().zip(&table.columns).zip(widths) {
-                let text = RichText::new(with_minus_signs(&cell.shown)).size(letters);
-                aligned(ui, column, *width, text);
+            for (one, column) in row.iter().zip(&table.columns) {
+                let text = RichText::new(with_minus_signs(&one.shown)).size(letters);
+                cell(ui, column, text);
             }
             ui.end_row();
         }
     });
-}
-
-/// How wide columns and what is between them are at least, points.
-fn together(widths: &[f32], small: bool) -> f32 {
-    widths.iter().sum::<f32>() + letters(small).1 * widths.len().saturating_sub(1) as f32
-}
-
-/// How much room each column takes without a line that breaks, points.
-fn widths_of(ui: &Ui, table: &Table, small: bool) -> Vec<f32> {
-    let (letters, _) = letters(small);
-    let width =
-        |text: &str, letters: f32| widgets::width_of(ui, text, FontId::proportional(letters));
-    let columns = table.columns.iter().enumerate().map(|(k, column)| {
-        let cells = table.rows.iter().filter_map(|row| row.get(k));
-        let cells = cells.map(|cell| width(&with_minus_signs(&cell.shown), letters));
-        let widest = cells.fold(width(&column.heading, size::SMALL), f32::max);
-        widest.ceil()
-    });
-    columns.collect()
 }
 
 /// Each row: what it is, and below it what its other columns hold.
@@ -189,28 +143,21 @@ fn one_below_the_other(ui: &mut Ui, table: &Table) {
     for row in &table.rows {
         let mut cells = row.iter().zip(&table.columns);
         if let Some((first, column)) = cells.next() {
-            // A number alone says nothing; a name says what it is. Nothing stands for the name above.
             let name = in_a_line(&first.shown);
+            // A number alone says nothing; a name says what it is.
             let name = if name.starts_with(|c: char| c.is_ascii_digit()) {
                 format!("{} {name}", in_a_line(&column.heading))
             } else {
                 name
             };
-            if !name.trim().is_empty() {
-                ui.label(RichText::new(name.trim()).font(strong(size::SMALL)));
+            // Nothing stands for the name above.
+            if !name.is_empty() {
+                ui.label(RichText::new(name).font(strong(size::SMALL)));
             }
         }
-        let rest = cells.filter(|(cell, _)| !["", "–"].contains(&cell.shown.as_str()));
-        let rest = rest.map(|(cell, column)| {
-            let (heading, cell) = (in_a_line(&column.heading), in_a_line(&cell.shown));
-            // The unit of a column is behind its number, as in a sentence.
-            match heading.split_once(", ").filter(|_| column.right) {
-                Some((heading, unit)) => format!("{heading} {cell} {unit}"),
-                None => format!("{heading} {cell}"),
-            }
-        });
-        let rest = rest.collect::<Vec<_>>().join("; ");
-        ui.hint(if rest.is_empty() { "–" } else { &rest });
+        for (cell, column) in cells.filter(|(cell, _)| !["", "–"].contains(&&*cell.shown)) {
+            ui.fact(&in_a_line(&column.heading), in_a_line(&cell.shown));
+        }
     }
 }
 

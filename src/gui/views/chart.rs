@@ -1,17 +1,14 @@
 //! The middle: the workspace, and below it a chart with the bar in which it is chosen.
 
 use egui::{
-    Align, CentralPanel, ComboBox, CursorIcon, Frame, Layout, Margin, Panel, Rect, Shape, Stroke,
-    StrokeKind, Ui, pos2, vec2,
+    Align, CentralPanel, ComboBox, CursorIcon, Frame, Layout, Margin, Panel, Response, Ui, pos2,
+    vec2,
 };
 
-use crate::gui::charts::{
-    Bars, CHARTS, ChartChoice, ChartKind, HoverTarget, Samples, Scene, Shown, deviation,
-};
+use crate::gui::charts::{Bar, CHARTS, ChartChoice, ChartKind, Scene, Shown, deviation};
 use crate::gui::core::loaded_session::Component;
-use crate::gui::plots::chart::Canvas;
 use crate::gui::plots::{self, figure, picture};
-use crate::gui::style::{Palette, size, space};
+use crate::gui::style::{Palette, space};
 use crate::gui::view::{Front, Plot, Step};
 use crate::gui::widgets::{self, Buttons, Does, Forms, MIDDLE, Words};
 use crate::gui::workbench::Workbench;
@@ -19,10 +16,6 @@ use crate::gui::workspace::{self, Handles, marked, nearest};
 
 use super::copies;
 
-/// Room for the marks at the right end of the bar, points.
-const MARKS: f32 = 112.0;
-/// What a list has beside the name that is chosen, points.
-const ARROW: f32 = 42.0;
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;
 
@@ -90,34 +83,26 @@ fn show(ui: &mut Ui, workbench: &Workbench) {
     }
 }
 
-fn plotted(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, shown: &Shown) {
+fn plotted(ui: &mut Ui, workbench: &Workbench, kind: &ChartKind, shown: &Shown) {
     let view = &workbench.view;
     let before = workbench.answer().map(|_| !view.only_after);
     plots::chart::legend(ui, &shown.chart, before, workbench);
-    let title = format!("{} {}", kind.about().id, shown.chart.title);
+    let title = format!("{} {}", kind.id, shown.chart.title);
     let fitted = view.fitted.charts;
     let id = (&*title, workbench.only_after(), fitted);
-    let emphasised = view.hovered.or(view.selected);
-    let usable = |sample: &usize| workbench.loaded_session().usable[*sample];
-    let more = |canvas: &Canvas<'_>, shapes: &mut Vec<Shape>| match &shown.pointed {
-        HoverTarget::Nothing => {}
-        HoverTarget::Samples(samples) => {
-            let there = marked(view, workbench.loaded_session().len()).chain(emphasised);
-            drawn_samples(&**samples, there.filter(usable), canvas, shapes);
-        }
-        HoverTarget::Bars(bars) => {
-            let bar = emphasised.filter(usable).and_then(|sample| bars.of(sample));
-            shapes.extend(bar.map(|bar| framed(bar, canvas)));
-        }
-    };
+    let loaded_session = workbench.loaded_session();
+    let usable = |sample: &usize| loaded_session.usable[*sample];
+    let emphasised = view.hovered.or(view.selected).filter(usable);
+    let ringed = marked(view, loaded_session.len()).filter(usable);
     // Boundaries of regions are dragged where they stand over the joint's angle.
     let divided = view.step == Step::Regions
-        && kind.about().id == deviation::ANGLE.about().id
-        && workbench.loaded_session().single_revolute();
+        && kind.id == deviation::ANGLE.id
+        && loaded_session.single_revolute();
     if divided {
         workspace::grab(ui, workbench);
     }
-    let (response, transform) = plots::chart::show(ui, id, &shown.chart, more);
+    let ringed = ringed.chain(emphasised);
+    let (response, transform) = plots::chart::show(ui, id, shown, ringed, emphasised);
     if divided {
         let per_rad = workbench.units().angle_value(1.0);
         let frame = *transform.frame();
@@ -133,82 +118,44 @@ fn plotted(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, shown: &Sho
         };
         workspace::boundary_handles(ui, workbench, &handles);
     }
-    figure(&response, &shown.name, shown.description.clone());
-    match &shown.pointed {
-        HoverTarget::Nothing => {}
-        HoverTarget::Samples(samples) => {
-            let under = response.hover_pos().and_then(|pointer| {
-                let reach = vec2(REACH, -REACH);
-                let [low, high] = [pointer - reach, pointer + reach]
-                    .map(|corner| transform.value_from_position(corner));
-                let near = samples.near([low.x, high.x], [low.y, high.y]);
-                let candidates = near.into_iter().flat_map(|sample| {
-                    let marks = samples.marks(sample).into_iter();
-                    let at = |[x, y]: [f64; 2]| {
-                        transform.position_from_point(&egui_plot::PlotPoint::new(x, y))
-                    };
-                    marks.map(move |mark| (sample, at(mark)))
-                });
-                nearest(candidates, pointer, REACH)
+    figure(&response, &shown.name, shown.description());
+    let pointer = response.hover_pos();
+    if !shown.series.is_empty() {
+        let under = pointer.and_then(|pointer| {
+            let [from, to] = [-REACH, REACH]
+                .map(|reach| transform.value_from_position(pointer + vec2(reach, 0.0)).x);
+            let near = shown.series.iter().flat_map(|series| {
+                let near = series.in_sight([from, to]).iter();
+                near.filter_map(|sample| Some((*sample as usize, series.at(*sample as usize)?)))
             });
-            workspace::hover(&response, workbench, under);
-        }
-        HoverTarget::Bars(bars) => pointed(response, &transform, &**bars, workbench),
+            let at = |(sample, [x, y]): (usize, [f64; 2])| {
+                let at = egui_plot::PlotPoint::new(x, y);
+                (sample, transform.position_from_point(&at))
+            };
+            nearest(near.map(at), pointer, REACH)
+        });
+        workspace::hover(&response, workbench, under);
     }
-}
-
-/// What is in sight of many samples, and a ring around some.
-fn drawn_samples(
-    samples: &dyn Samples,
-    ringed: impl Iterator<Item = usize>,
-    canvas: &Canvas<'_>,
-    shapes: &mut Vec<Shape>,
-) {
-    let bounds = canvas.transform.bounds();
-    for item in samples.in_sight([bounds.min()[0], bounds.max()[0]]) {
-        canvas.draw(&item, shapes);
+    let under = pointer.map(|pointer| transform.value_from_position(pointer).x);
+    let within = |bar: &&Bar| under.is_some_and(|x| (bar.x[0]..=bar.x[1]).contains(&x));
+    if let Some(bar) = shown.bars.iter().find(within) {
+        pointed(response, bar, workbench);
     }
-    let stroke = Stroke::new(2.5, canvas.palette.accent);
-    for place in ringed.filter_map(|sample| samples.marks(sample).pop()) {
-        shapes.push(Shape::circle_stroke(canvas.at(place), 8.0, stroke));
-    }
-}
-
-fn framed(ends: [f64; 2], canvas: &Canvas<'_>) -> Shape {
-    let [from, to] = ends.map(|x| canvas.at([x, 0.0]).x);
-    let rect = Rect::from_x_y_ranges(from..=to, canvas.transform.frame().y_range());
-    let stroke = Stroke::new(2.0, canvas.palette.accent);
-    Shape::rect_stroke(rect, 2.0, stroke, StrokeKind::Inside)
 }
 
 /// Says what the bar under the pointer is; a click marks its samples.
-fn pointed(
-    response: egui::Response,
-    transform: &egui_plot::PlotTransform,
-    bars: &dyn Bars,
-    workbench: &Workbench,
-) {
-    let pointer = response.hover_pos();
-    let under = pointer.map(|pointer| transform.value_from_position(pointer).x);
-    let Some(facts) = under.and_then(|x| bars.at(x)) else {
-        return;
-    };
-    let response = if facts.samples.is_empty() {
+fn pointed(response: Response, bar: &Bar, workbench: &Workbench) {
+    let response = if bar.samples.is_empty() {
         response
     } else {
-        response.does(workbench, move |bench| {
-            bench.view.mark(facts.samples.clone());
-        });
+        let samples = bar.samples.clone();
+        response.does(workbench, move |bench| bench.view.mark(samples));
         response.on_hover_cursor(CursorIcon::PointingHand)
     };
+    let facts = (bar.title.clone(), bar.lines.clone());
     response.on_hover_ui_at_pointer(|ui| {
-        widgets::facts(ui, &(facts.title, facts.lines));
+        widgets::facts(ui, &facts);
     });
-}
-
-/// Width of a list in the bar that shows this, points.
-fn width(ui: &Ui, shown: &str) -> f32 {
-    widgets::width_of(ui, shown, egui::FontId::proportional(size::SMALL)) + ARROW
 }
 
 /// A list in the bar, by its name, with what is chosen as it is shown there.
@@ -229,76 +176,50 @@ fn list<T: Copy + PartialEq + Send + 'static, N: AsRef<str>>(
     }
 }
 
-/// Whether a component and whether a joint is chosen for a chart, and what they are called now.
-fn chosen<'a>(scene: &'a Scene, kind: &dyn ChartKind) -> [Option<&'a str>; 2] {
-    use ChartChoice::{Axis, Component, Joint};
-    let of = kind.about().of;
-    let joints = &scene.loaded_session.session.robot.joints;
-    let joint = matches!(of, Axis | Joint) && joints.len() > 1;
-    [
-        matches!(of, Component | Joint).then(|| scene.component.name()),
-        joint.then(|| &*joints[scene.joint()].name),
-    ]
-}
-
-/// What is chosen for a chart beside itself.
-fn others(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, scene: &Scene) {
+/// The chart, and what is chosen for it.
+fn lists(ui: &mut Ui, workbench: &Workbench, kind: &ChartKind, scene: &Scene) {
+    use ChartChoice::{Axis, Component as OfComponent, Joint};
+    let offered = CHARTS.iter().filter(|chart| (chart.is_offered)(scene));
+    let offered = offered.map(|chart| (chart.id, chart.name()));
+    let named = (say!("Choose chart"), &*kind.name());
+    let offered = (offered, kind.id);
+    list(ui, workbench, named, offered, Workbench::show_chart);
     let session = &scene.loaded_session.session;
-    let [component, joint] = chosen(scene, kind);
-    if let Some(shown) = component {
+    if matches!(kind.of, OfComponent | Joint) {
         let planar = session.samples.z_mm.is_none();
         let offered = Component::ALL.into_iter();
         let offered = offered.filter(|c| !(planar && c.out_of_plane()));
         let offered = (offered.map(|c| (c, c.name())), scene.component);
-        let named = (say!("Component"), shown);
+        let named = (say!("Component"), scene.component.name());
         list(ui, workbench, named, offered, |bench, c| {
             bench.view.component = c;
         });
     }
-    if let Some(shown) = joint {
-        let offered = session.robot.joints.iter().map(|joint| &joint.name);
+    let joints = &session.robot.joints;
+    if matches!(kind.of, Axis | Joint) && joints.len() > 1 {
+        let offered = joints.iter().map(|joint| &joint.name);
         let offered = (offered.enumerate(), scene.joint());
-        let named = (say!("Joint of the chart"), shown);
+        let named = (say!("Joint of the chart"), &*joints[scene.joint()].name);
         list(ui, workbench, named, offered, |bench, joint| {
             bench.view.joint = joint;
         });
     }
 }
 
-fn bar(ui: &mut Ui, workbench: &Workbench, kind: &dyn ChartKind, scene: &Scene) {
-    let about = kind.about();
-    // What there is no room for stands below.
-    let chosen = chosen(scene, kind).into_iter().flatten();
-    let beside: f32 = chosen.map(|name| width(ui, name) + space::ROW).sum();
-    let name = about.name();
-    let room = ui.available_width() - beside - MARKS;
-    let below = beside > 0.0 && room < width(ui, &name);
-    ui.row(|ui| {
-        ui.spacing_mut().item_spacing.x = space::ROW;
-        let offered = CHARTS.iter().filter(|chart| chart.is_offered(scene));
-        let offered = offered.map(|chart| (chart.about().id, chart.about().name()));
-        let named = (say!("Choose chart"), &*name);
-        list(
-            ui,
-            workbench,
-            named,
-            (offered, about.id),
-            Workbench::show_chart,
-        );
-        if !below {
-            others(ui, workbench, kind, scene);
+fn bar(ui: &mut Ui, workbench: &Workbench, kind: &ChartKind, scene: &Scene) {
+    ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
+        ui.spacing_mut().item_spacing.x = space::TIGHT;
+        picture(ui, Plot::Chart(kind.id), workbench);
+        if plots::fit(ui, say!("Fit chart to view")) {
+            workbench.then(|bench| bench.view.fitted.charts += 1);
         }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.spacing_mut().item_spacing.x = space::TIGHT;
-            picture(ui, Plot::Chart(about.id), workbench);
-            if plots::fit(ui, say!("Fit chart to view")) {
-                workbench.then(|bench| bench.view.fitted.charts += 1);
-            }
-            copies::chart_button(ui, &about, workbench);
-            ui.question(about.word);
+        copies::chart_button(ui, kind, workbench);
+        ui.question(kind.word);
+        // What there is no room for stands below.
+        let rows = Layout::left_to_right(Align::Min).with_main_wrap(true);
+        ui.with_layout(rows, |ui| {
+            ui.spacing_mut().item_spacing.x = space::ROW;
+            lists(ui, workbench, kind, scene);
         });
     });
-    if below {
-        ui.horizontal_wrapped(|ui| others(ui, workbench, kind, scene));
-    }
 }

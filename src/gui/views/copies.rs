@@ -8,7 +8,7 @@ use egui::{Button, Context, Id, Popup, PopupKind, RichText, Ui, vec2};
 use crate::diagnosis::{Detectability, Diagnosis};
 use crate::effects::find;
 use crate::fit::{Estimate, RegionResult};
-use crate::gui::charts::About;
+use crate::gui::charts::ChartKind;
 use crate::gui::style::space;
 use crate::gui::widgets::{self, Buttons, Does, Forms};
 use crate::gui::workbench::Workbench;
@@ -56,10 +56,10 @@ fn is_recent(ctx: &Context, id: Id) -> bool {
 }
 
 /// The mark in a chart's bar that copies its numbers, once they are made in the background.
-pub(super) fn chart_button(ui: &mut Ui, about: &About, workbench: &Workbench) {
-    let (chart, ctx) = (about.id, ui.ctx().clone());
+pub(super) fn chart_button(ui: &mut Ui, kind: &ChartKind, workbench: &Workbench) {
+    let (chart, ctx) = (kind.id, ui.ctx().clone());
     let id = Id::unique("copied").with(chart);
-    let says = say!("Copy numbers: {of}", of = about.name().to_lowercase());
+    let says = say!("Copy numbers: {of}", of = kind.name().to_lowercase());
     let button = ui.icon_button(widgets::COPY, &says).on_hover_text(&says);
     if is_recent(&ctx, id) {
         // What lies beneath it can be clicked all the same.

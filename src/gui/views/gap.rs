@@ -3,21 +3,20 @@
 use std::borrow::Cow;
 
 use egui::{
-    Checkbox, CursorIcon, ProgressBar, Rect, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo,
+    Checkbox, CursorIcon, ProgressBar, RichText, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
     vec2,
 };
-use egui_plot::{PlotBounds, PlotPoint, PlotTransform};
 
 use crate::diagnosis::{Diagnosis, Verdict};
 use crate::effects::Term;
 use crate::explain::{Block, Detail, Section, Topic, found_effect};
 use crate::fit::Estimate;
 use crate::gui::actions;
-use crate::gui::charts::effect::{self, EffectCurve};
+use crate::gui::charts::{Shown, effect};
 use crate::gui::core::document::Method;
-use crate::gui::core::overview::stride;
 use crate::gui::core::search::term_of;
 use crate::gui::jobs::Running;
+use crate::gui::plots;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::view::{Step, What};
 use crate::gui::views::blocks::{self, curve_link, in_words};
@@ -34,9 +33,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
         ui.hint(say!("Open a session that was measured on this robot"));
         return;
     }
-    if workbench.searching().is_some() {
-        under_way_here(ui, workbench);
-        return;
+    if let Some(running) = workbench.searching() {
+        return under_way_here(ui, running, workbench);
     }
     if workbench.diagnosis().is_some() {
         let again = ui.secondary(say!("Run diagnosis again"));
@@ -74,10 +72,7 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
 }
 
 /// How far the search is; the results name what was found, where they are in sight.
-fn under_way_here(ui: &mut Ui, workbench: &Workbench) {
-    let Some(running) = workbench.searching() else {
-        return;
-    };
+fn under_way_here(ui: &mut Ui, running: &Running, workbench: &Workbench) {
     ui.section(say!("Diagnosis is running"));
     if !actions::layout(ui.ctx(), workbench).results() {
         names(ui, &running.found());
@@ -139,11 +134,17 @@ pub(super) fn findings(ui: &mut Ui, workbench: &Workbench) {
     ui.add_space(space::TIGHT);
     widgets::scroll(ui, "findings", |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
-        let beneath = if workbench.searching().is_some() {
-            under_way(ui, workbench);
+        let beneath = if let Some(running) = workbench.searching() {
+            let says = say!("Found so far; a likelier name may take the place of one");
+            so_far(ui, say!("Diagnosis is running"), says, &running.found());
             None
         } else {
-            stopped(ui, workbench);
+            if let Some(found) = workbench.stopped() {
+                let says = say!(
+                    "Found until then, not yet tested against other names: run the diagnosis again to test them"
+                );
+                so_far(ui, say!("Diagnosis stopped"), says, found);
+            }
             workbench.searched()
         };
         match beneath {
@@ -154,28 +155,7 @@ pub(super) fn findings(ui: &mut Ui, workbench: &Workbench) {
     });
 }
 
-/// A diagnosis is running: what it has found so far.
-fn under_way(ui: &mut Ui, workbench: &Workbench) {
-    let found = workbench.searching().map(Running::found);
-    let says = say!("Found so far; a likelier name may take the place of one");
-    so_far(
-        ui,
-        say!("Diagnosis is running"),
-        says,
-        &found.unwrap_or_default(),
-    );
-}
-
-/// What a diagnosis that was stopped had found until then.
-fn stopped(ui: &mut Ui, workbench: &Workbench) {
-    let says = say!(
-        "Found until then, not yet tested against other names: run the diagnosis again to test them"
-    );
-    if let Some(found) = workbench.stopped() {
-        so_far(ui, say!("Diagnosis stopped"), says, found);
-    }
-}
-
+/// What a diagnosis that is running has found so far, or one that was stopped until then.
 fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
     widgets::card(ui, |ui| {
         ui.bold(name);
@@ -310,12 +290,8 @@ fn one(ui: &mut Ui, workbench: &Workbench, term: &Term, d: &Diagnosis) {
         None => d.identified.iter().filter(of_this).collect(),
     };
     let units = workbench.units();
-    let joint = workbench
-        .loaded_session()
-        .session
-        .robot
-        .joints
-        .get(term.joint);
+    let joints = &workbench.loaded_session().session.robot.joints;
+    let joint = joints.get(term.joint);
     let kind = joint.map_or(JointKind::Revolute, |joint| joint.kind);
     for hidden in term.parameters_on(kind) {
         let (name, unit) = parameter(hidden.name);
@@ -342,7 +318,7 @@ fn effect_card(
     let (first, more) = section.blocks.split_at(rest.map_or(0, |rest| rest + 1));
     blocks::show(ui, first);
     match workbench.sketch(index) {
-        Some(curve) => sketch(ui, workbench, (index, curve)),
+        Some(shown) => sketch(ui, workbench, index, shown),
         None => curve_link(ui, workbench, index),
     }
     // The button that stands out is the one at the foot of the step, which adds all of them.
@@ -367,15 +343,13 @@ fn in_use(workbench: &Workbench, d: &Diagnosis, index: usize) -> Option<Section>
     (!sizes.is_empty()).then(|| found_effect(d, detail, index, &sizes))
 }
 
-/// Height of a small curve, points, and how many samples are behind it at most.
+/// Height of a small curve, points.
 const HIGH: f32 = 46.0;
-const MOST: usize = 240;
 
 /// What is left without the effect, and what it does; a click shows the chart of it.
-fn sketch(ui: &mut Ui, workbench: &Workbench, (index, curve): (usize, &EffectCurve)) {
+fn sketch(ui: &mut Ui, workbench: &Workbench, index: usize, curve: &Shown) {
     let palette = Palette::of(ui);
-    let view = &workbench.view;
-    let shown = workbench.shows(effect::ID) && view.effect == index;
+    let shown = workbench.shows(effect::ID) && workbench.view.effect == index;
     let sense = [Sense::click(), Sense::hover()][usize::from(shown)];
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), HIGH), sense);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, !shown, say!("Show its curve")));
@@ -385,42 +359,13 @@ fn sketch(ui: &mut Ui, workbench: &Workbench, (index, curve): (usize, &EffectCur
         palette.line
     };
     let round = f32::from(space::ROUND);
-    let inside = egui::StrokeKind::Inside;
+    let edge = Stroke::new(1.0, edge);
     ui.painter()
-        .rect(rect, round, palette.surface, Stroke::new(1.0, edge), inside);
-    ui.painter()
-        .extend(drawn(rect.shrink2(vec2(6.0, 4.0)), curve, &palette));
+        .rect(rect, round, palette.surface, edge, StrokeKind::Inside);
+    plots::chart::sketch(ui.painter(), rect.shrink(3.0), curve, &palette);
     response.does(workbench, move |bench| bench.show_effect(index));
     if !shown {
         let response = response.on_hover_cursor(CursorIcon::PointingHand);
         response.on_hover_text(say!("Show its curve"));
     }
-}
-
-fn drawn(room: Rect, curve: &EffectCurve, palette: &Palette) -> Vec<Shape> {
-    let [from, to] = curve.ends();
-    let [low, high] = curve.extent_mm;
-    let bounds = PlotBounds::from_min_max([from, low], [to, high]);
-    let transform = PlotTransform::new(room, bounds, false);
-    let at = |x: f64, mm: f64| transform.position_from_point(&PlotPoint::new(x, mm));
-    let zero = [at(from, 0.0), at(to, 0.0)];
-    let mut shapes = vec![Shape::line_segment(zero, Stroke::new(1.0, palette.line))];
-    let some = || curve.spots.iter().step_by(stride(curve.spots.len(), MOST));
-    let residual = palette.before.gamma_multiply(0.55);
-    shapes.extend(some().map(|s| Shape::circle_filled(at(s.x, s.residual_mm), 1.4, residual)));
-    if curve.lines.is_empty() {
-        shapes.extend(
-            some().map(|s| Shape::circle_filled(at(s.x, s.effect_mm), 1.6, palette.accent)),
-        );
-    }
-    let stroke = Stroke::new(1.8, palette.accent);
-    for line in &curve.lines {
-        let points: Vec<_> = line.points.iter().map(|[x, mm]| at(*x, *mm)).collect();
-        if line.side < 0.0 {
-            shapes.extend(Shape::dashed_line(&points, stroke, 4.0, 3.0));
-        } else {
-            shapes.push(Shape::line(points, stroke));
-        }
-    }
-    shapes
 }

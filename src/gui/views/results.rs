@@ -1,7 +1,6 @@
 //! What the identification says, and how sure it is; before anything is identified what the samples cover, what can be
 //! seen in them and what comes next, so that it helps from the first minute on.
 
-use egui::text::{LayoutJob, TextFormat};
 use egui::{Checkbox, ProgressBar, RichText, Ui};
 
 use crate::compensation::decision::Outcome as Conformity;
@@ -86,22 +85,18 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         ui.weak(method);
         let [before, after] = [found.gap.before.rms_mm, found.gap.after.rms_mm].map(number);
         let unit = units.length_name();
-        // Inches have more digits than a narrow panel has room.
-        let line = format!("{before} → {after} {unit}");
-        let mut font = strong(size::DISPLAY);
-        if widgets::width_of(ui, &line, font.clone()) > ui.available_width() {
-            font = strong(size::HEADING);
-        }
-        let mut text = LayoutJob::default();
-        for (part, color) in [
-            (&*before, palette.before),
-            (" → ", palette.muted),
-            (&after, palette.after),
-            (&format!(" {unit}"), palette.muted),
-        ] {
-            text.append(part, 0.0, TextFormat::simple(font.clone(), color));
-        }
-        ui.label(text);
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 0.0;
+            for (part, color) in [
+                (&*before, palette.before),
+                (" → ", palette.muted),
+                (&after, palette.after),
+                (&format!(" {unit}"), palette.muted),
+            ] {
+                let part = RichText::new(part).font(strong(size::DISPLAY));
+                ui.label(part.color(color));
+            }
+        });
         let from_to = |ends: [f64; 2]| {
             let [before, after] = ends.map(number);
             format!("{before} → {after} {unit}")
@@ -260,16 +255,13 @@ fn about(ui: &mut Ui, workbench: &Workbench, given: &LoadedModel) {
         ui.fact(say!("identified from"), &calibration.session);
         let joints = &calibration.model.robot.joints;
         for (joint, range) in joints.iter().zip(&calibration.measured) {
-            let [from, to] = [range.from, range.to].map(|q| {
-                let value = trimmed(joint.kind.to_display(q), 2);
-                format!("{value}{}", joint.kind.sign())
-            });
-            let measured = format!("{from} … {to}");
+            let ends = [range.from, range.to].map(|q| trimmed(joint.kind.to_display(q), 2));
+            let [from, to] = ends.map(|value| value + joint.kind.sign());
             let name = match joints.len() {
                 1 => say!("measured").to_owned(),
                 _ => say!("measured, {joint}", joint = joint.name),
             };
-            ui.fact(&name, measured);
+            ui.fact(&name, format!("{from} … {to}"));
         }
         if workbench.loaded_session().is_empty() {
             ui.hint(say!("Open a session that was measured on this robot"));

@@ -318,21 +318,22 @@ impl Workbench {
         }
         let search = self.search_of_this().cloned();
         if let Some(search) = search.filter(|_| self.view.step == Step::Gap) {
+            let scene = self.scene();
             self.derive(
                 QUIETLY,
                 |derived| &mut derived.sketches,
                 search,
-                |search, _| sketches(search),
+                move |_, _| sketches(&scene),
             );
         }
         let (kind, scene) = (self.kind(), Arc::new(self.scene()));
         // Of a few samples it is there in the same frame.
         let few = scene.usable().len() <= FEW;
-        let of = (kind.about().id, scene);
+        let of = (kind.id, scene);
         let chart = move |(_, scene): &(_, Arc<Scene>)| {
             // As the window writes them.
             write_numbers(scene.written.1);
-            Arc::new(kind.show(scene))
+            Arc::new((kind.show)(scene))
         };
         if !few {
             self.derive(

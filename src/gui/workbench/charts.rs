@@ -1,13 +1,12 @@
 //! Which charts there are, and what they are made of.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
-use crate::gui::charts::effect::EffectCurve;
-use crate::gui::charts::{
-    CHARTS, ChartKind, ChartPlaceholder, HoverTarget, Scene, Shown, effect, find,
-};
+use crate::gui::charts::{CHARTS, ChartKind, ChartPlaceholder, Scene, Shown, effect, find};
 use crate::gui::jobs::{Kind as JobKind, Watch};
 use crate::gui::view::{Front, Step};
+use crate::present::chart::Chart;
 use crate::present::drawing::Drawing;
 use crate::present::numbers::{notation, write_numbers};
 use crate::text::current;
@@ -16,23 +15,23 @@ use super::Workbench;
 
 impl Workbench {
     /// The chart: the chosen one, else what suits the step.
-    pub(crate) fn kind(&self) -> &'static dyn ChartKind {
+    pub(crate) fn kind(&self) -> &'static ChartKind {
         let scene = self.scene();
         let chosen = self.view.chart.and_then(find);
-        let chosen = chosen.filter(|chart| chart.is_offered(&scene));
+        let chosen = chosen.filter(|chart| (chart.is_offered)(&scene));
         chosen.unwrap_or_else(|| self.suiting())
     }
 
     /// Without a choice of the user: the table that is exported, the gap that is searched, the deviation.
-    fn suiting(&self) -> &'static dyn ChartKind {
+    fn suiting(&self) -> &'static ChartKind {
         let scene = self.scene();
-        let suits = |chart: &&&dyn ChartKind| chart.is_offered(&scene) && chart.suits(&scene);
-        *CHARTS.iter().rfind(suits).unwrap_or(&CHARTS[0])
+        let suits = |chart: &&&ChartKind| (chart.is_offered)(&scene) && (chart.suits)(&scene);
+        CHARTS.iter().rfind(suits).unwrap_or(&CHARTS[0])
     }
 
     /// Whether this is the chart that is shown.
     pub(crate) fn shows(&self, id: &str) -> bool {
-        self.kind().about().id == id
+        self.kind().id == id
     }
 
     /// What any chart is made of.
@@ -68,15 +67,16 @@ impl Workbench {
         &self,
         chart: &str,
     ) -> Option<impl FnOnce() -> Result<(Drawing, String), String> + Send + use<>> {
-        let (kind, scene) = (find(chart)?, Arc::new(self.scene()));
+        let (kind, scene) = (find(chart)?, self.scene());
         Some(move || {
             write_numbers(scene.written.1);
-            let shown = kind.show(&scene).map_err(|missing| missing.title)?;
-            let mut chart = shown.chart;
-            if let HoverTarget::Samples(samples) = &shown.pointed {
-                let [[from, _], [to, _]] = chart.bounds;
-                chart.items.extend(samples.in_sight([from, to]));
-            }
+            let shown = (kind.show)(&scene).map_err(|missing| missing.title)?;
+            let [[from, _], [to, _]] = shown.chart.bounds;
+            let items = shown.in_sight([from, to]).map(Cow::into_owned).collect();
+            let chart = Chart {
+                items,
+                ..shown.chart
+            };
             let session = crate::report::document::clean(&scene.loaded_session.session.name);
             let says = format!("{session}: {}", chart.title);
             Ok((chart.on_paper(&session), says))
@@ -95,16 +95,16 @@ impl Workbench {
         let work = move |_: &Watch| {
             // As the window writes them.
             write_numbers(scene.written.1);
-            kind.numbers(&scene).tabbed()
+            (kind.numbers)(&scene).tabbed()
         };
-        let of = kind.about().name().to_lowercase();
+        let of = kind.name().to_lowercase();
         let says = say!("Copy numbers: {of}", of);
         self.jobs
             .start(JobKind::Once, says, work, |_: &mut Self, text| copied(text));
     }
 
     /// The curve of an effect that was found, as its card shows it.
-    pub(crate) fn sketch(&self, index: usize) -> Option<&EffectCurve> {
+    pub(crate) fn sketch(&self, index: usize) -> Option<&Shown> {
         let (search, curves) = self.derived.sketches.made()?;
         let of_this = Arc::ptr_eq(search, self.search_of_this()?);
         curves.get(index).filter(|_| of_this)?.as_ref()
@@ -112,7 +112,7 @@ impl Workbench {
 
     /// Shows this chart. Choosing what suits the step means: follow the steps.
     pub(crate) fn show_chart(&mut self, chart: &'static str) {
-        self.view.chart = (chart != self.suiting().about().id).then_some(chart);
+        self.view.chart = (chart != self.suiting().id).then_some(chart);
         self.view.front = Front::Chart;
     }
 
@@ -152,13 +152,13 @@ mod tests {
     fn go(workbench: &mut Workbench, step: Step) -> &'static str {
         workbench.execute(|bench| bench.view.step = step);
         workbench.receive();
-        workbench.kind().about().id
+        workbench.kind().id
     }
 
     fn choose(workbench: &mut Workbench, chart: &'static str) {
         workbench.execute(|bench| bench.show_chart(chart));
         workbench.receive();
-        assert_eq!(workbench.kind().about().id, chart);
+        assert_eq!(workbench.kind().id, chart);
     }
 
     #[test]
@@ -188,7 +188,7 @@ mod tests {
         assert_eq!(go(&mut workbench, Step::Gap), GAP);
         choose(&mut workbench, TIME);
         workbench.execute(|bench| bench.identify(None));
-        assert_eq!(workbench.kind().about().id, TIME);
+        assert_eq!(workbench.kind().id, TIME);
     }
 
     #[test]
@@ -226,17 +226,13 @@ mod tests {
     fn the_curve_of_a_found_effect_is_charted_in_the_component_that_it_has() {
         let mut workbench = workbench();
         workbench.execute(|bench| bench.show_effect(0));
-        assert_eq!(
-            workbench.kind().about().id,
-            POSITION,
-            "nothing was found yet"
-        );
+        assert_eq!(workbench.kind().id, POSITION, "nothing was found yet");
         workbench.execute(Workbench::search);
         workbench.receive();
         workbench.execute(|bench| bench.view.component = Component::Axial);
         workbench.execute(|bench| bench.show_effect(0));
         workbench.receive();
-        assert_eq!(workbench.kind().about().id, effect::ID);
+        assert_eq!(workbench.kind().id, effect::ID);
         assert_eq!(workbench.view.component, Component::Tangential);
         let shown = workbench.charted().expect("it is charted");
         let name = shown.as_ref().map(|shown| &*shown.name).unwrap_or_default();

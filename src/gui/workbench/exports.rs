@@ -74,7 +74,7 @@ impl Workbench {
             "report of the model" => What::Report(About::Model),
             "targets" => What::Targets,
             "workspace" => What::Picture(Plot::Workspace),
-            _ => What::Picture(Plot::Chart(charts::find(name)?.about().id)),
+            _ => What::Picture(Plot::Chart(charts::find(name)?.id)),
         })
     }
 

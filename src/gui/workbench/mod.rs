@@ -64,7 +64,7 @@ pub(crate) type Change = Box<dyn FnOnce(&mut Workbench)>;
 
 /// Document, view, answer and jobs.
 pub(crate) struct Workbench {
-    pub(super) history: History<Document>,
+    pub(super) history: History,
     /// The session that the window began with, not opened by the user.
     pub(super) first: Arc<LoadedSession>,
     pub(super) file_state: FileState,
@@ -358,7 +358,7 @@ impl Workbench {
     }
 
     /// Back or forth in the history.
-    fn travel(&mut self, way: fn(&mut History<Document>) -> bool) {
+    fn travel(&mut self, way: fn(&mut History) -> bool) {
         let before = self.loaded_session().lineage;
         way(&mut self.history);
         self.after_travel(before);

@@ -25,7 +25,7 @@ fn plot_size(random: &mut ChaCha8Rng) -> Deed {
 }
 
 pub(super) fn chart(random: &mut ChaCha8Rng) -> &'static str {
-    CHARTS[random.random_range(0..CHARTS.len())].about().id
+    CHARTS[random.random_range(0..CHARTS.len())].id
 }
 
 pub(super) fn plot(random: &mut ChaCha8Rng) -> Plot {

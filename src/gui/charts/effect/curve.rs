@@ -18,6 +18,7 @@ use crate::gui::core::quantity::{Over, Variable};
 use crate::gui::core::search::{Search, terms};
 use crate::lanes::minus;
 use crate::model::Model;
+use crate::numeric::extent;
 
 /// Samples that are looked at to find out which component an effect has.
 const SOME: usize = 500;
@@ -61,12 +62,6 @@ pub(crate) struct EffectCurve {
     pub(crate) lines: Vec<Line>,
     /// Smallest and largest of everything, zero between them, mm.
     pub(crate) extent_mm: [f64; 2],
-    /// Smallest and largest of what the effect does, mm.
-    pub(crate) effect_mm: [f64; 2],
-    /// Root mean square of the residual without the effect and with it, mm.
-    pub(crate) rms_mm: [f64; 2],
-    /// The spot of each sample.
-    places: Vec<Option<u32>>,
 }
 
 /// The model with everything that was found, and the model without one of it.
@@ -202,28 +197,13 @@ impl EffectCurve {
         let lines = lines
             .filter(|lines| follow(lines, &spots))
             .unwrap_or_default();
-        let effect_mm = extent(spots.iter().map(|s| s.effect_mm));
         let curve = lines.iter().flat_map(|l| l.points.iter().map(|p| p[1]));
-        let all = spots.iter().map(|s| s.residual_mm).chain(curve);
-        let all = all.chain(effect_mm).chain([0.0]);
-        let rms = |left: &dyn Fn(&EffectSample) -> f64| {
-            let squares = spots.iter().map(|s| left(s).powi(2)).sum::<f64>();
-            (squares / spots.len().max(1) as f64).sqrt()
-        };
-        let mut places = vec![None; loaded_session.len()];
-        for (place, spot) in (0_u32..).zip(&spots) {
-            places[spot.sample] = Some(place);
-        }
+        let all = spots.iter().flat_map(|s| [s.residual_mm, s.effect_mm]);
+        let all = all.chain(curve).chain([0.0]);
         Some(Self {
             effect: term.effect.about().id,
             over,
             extent_mm: extent(all),
-            effect_mm,
-            rms_mm: [
-                rms(&|s| s.residual_mm),
-                rms(&|s| s.residual_mm - s.effect_mm),
-            ],
-            places,
             spots,
             lines,
         })
@@ -234,18 +214,6 @@ impl EffectCurve {
         let ends = self.spots.first().zip(self.spots.last());
         ends.map_or([0.0, 1.0], |(a, b)| [a.x, b.x])
     }
-
-    /// Where a sample stands.
-    pub(crate) fn spot(&self, sample: usize) -> Option<&EffectSample> {
-        let place = *self.places.get(sample)?;
-        self.spots.get(place? as usize)
-    }
-}
-
-/// Smallest and largest of the finite values; nothing where there is none.
-fn extent(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    let ends = crate::numeric::extent(values);
-    if ends[0] <= ends[1] { ends } else { [0.0; 2] }
 }
 
 /// Places along a line.
@@ -358,7 +326,6 @@ mod tests {
             let of = |v| loaded_session.component(v, spot.sample, component);
             assert!((spot.effect_mm - of(d)).abs() < 1e-12);
             assert!((spot.residual_mm - of(e)).abs() < 1e-12);
-            assert_eq!(curve.spot(spot.sample), Some(spot));
         }
         assert_eq!(curve.spots.len(), loaded_session.len());
 
@@ -372,7 +339,12 @@ mod tests {
             (apart - width_mm).abs() < 0.05 * width_mm,
             "{apart} {width_mm}"
         );
-        let [left_without, left_with] = curve.rms_mm;
+        let rms = |left: fn(&EffectSample) -> f64| {
+            let squares = curve.spots.iter().map(|s| left(s).powi(2)).sum::<f64>();
+            (squares / curve.spots.len() as f64).sqrt()
+        };
+        let left_without = rms(|s| s.residual_mm);
+        let left_with = rms(|s| s.residual_mm - s.effect_mm);
         assert!(left_with < 0.5 * left_without, "{left_with} {left_without}");
     }
 

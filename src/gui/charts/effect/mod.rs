@@ -2,96 +2,78 @@
 
 mod curve;
 
-use std::sync::Arc;
-
 use crate::gui::charts::{
-    About, ChartChoice, ChartKind, ChartPlaceholder, HoverTarget, Samples, Scene, Shown,
+    ChartChoice, ChartKind, ChartPlaceholder, Scene, Series, Shown, not_drawn,
 };
-use crate::gui::core::overview::{FEW, stride, thinned};
-use crate::gui::core::quantity::Scale;
-use crate::gui::core::search::{Search, terms};
+use crate::gui::core::search::terms;
 use crate::gui::help;
 use crate::gui::view::Step;
-use crate::present::chart::{
-    Axis, Chart, ColourRole, Entry, Form, Item, LEAST_SPAN, LegendSymbol, Mark,
-};
+use crate::present::chart::{self, ColourRole, Deviation, Entry, Form, Item, LegendSymbol, Mark};
+use crate::present::numbers::significant;
 use crate::present::table::{Cell, Table};
-use crate::present::units::Units;
 use crate::text::{spoken, within};
 
-pub(crate) use curve::{EffectCurve, EffectSample, strongest};
+use curve::{EffectCurve, EffectSample};
 
-pub(crate) struct Effect;
+pub(crate) use curve::strongest;
 
 /// The name of this chart: what was found is shown in it.
 pub(crate) const ID: &str = "effect's curve";
+
+pub(crate) static EFFECT: ChartKind = ChartKind {
+    is_offered: |scene| {
+        let found = scene.diagnosis().map(terms).unwrap_or_default();
+        let chosen = found.get(scene.effect).is_some_and(Option::is_some);
+        scene.step == Step::Gap && chosen
+    },
+    ..ChartKind::new(
+        ID,
+        help::EFFECT_CURVE,
+        ChartChoice::Component,
+        show,
+        numbers,
+    )
+};
 
 /// So many samples are looked at for the curves of all effects; of more each is drawn when it is asked for.
 const FOR_SKETCHES: usize = 20_000;
 
 /// The curves of all effects that were found, each in the component that it has most of: small, on their cards.
-pub(crate) type Sketches = Vec<Option<EffectCurve>>;
+pub(crate) type Sketches = Vec<Option<Shown>>;
 
-pub(crate) fn sketches(search: &Search) -> Sketches {
-    let session = &*search.loaded_session;
-    let found = search.answer.as_ref().ok();
-    let found = found.filter(|_| session.overview.usable.len() <= FOR_SKETCHES);
-    let curve = |d, index| {
-        let component = strongest(session, d, index)?;
-        EffectCurve::of(session, search, index, component)
+pub(crate) fn sketches(scene: &Scene) -> Sketches {
+    let found = scene.diagnosis();
+    let Some(found) = found.filter(|_| scene.usable().len() <= FOR_SKETCHES) else {
+        return Vec::new();
     };
-    let curves = found.map(|d| (0..d.found.len()).map(|index| curve(d, index)).collect());
-    curves.unwrap_or_default()
+    let sketch = |effect| {
+        let component = strongest(&scene.loaded_session, found, effect)?;
+        let scene = Scene {
+            effect,
+            component,
+            ..scene.clone()
+        };
+        show(&scene).ok()
+    };
+    (0..found.found.len()).map(sketch).collect()
 }
 
-impl ChartKind for Effect {
-    fn about(&self) -> About {
-        let name = help::EFFECT_CURVE.name;
-        About::new(ID, name, help::EFFECT_CURVE, ChartChoice::Component)
+/// Every sample, along the chart.
+fn numbers(scene: &Scene) -> Table {
+    let Ok(curve) = curve(scene) else {
+        return Table::default();
+    };
+    let (loaded_session, component) = (&scene.loaded_session, scene.component.name());
+    let (along, what) = (curve.over.heading(loaded_session), name(&curve));
+    let [without, of] = ["without", "of"].map(|which| format!("{component} {which} {what}, mm"));
+    let mut table = Table::new(["sample", &along, "side", &without, &of]);
+    for spot in &curve.spots {
+        let x = curve.over.cell(loaded_session, spot.x);
+        let numbers = [x, spot.side, spot.residual_mm, spot.effect_mm];
+        let sample = Cell::from(spot.sample + 1);
+        table.row([sample].into_iter().chain(numbers.map(Cell::from)));
     }
-
-    fn is_offered(&self, scene: &Scene) -> bool {
-        let found = scene.diagnosis().map(terms).unwrap_or_default();
-        let chosen = found.get(scene.effect).is_some_and(Option::is_some);
-        scene.step == Step::Gap && chosen
-    }
-
-    fn show(&self, scene: &Arc<Scene>) -> Result<Shown, ChartPlaceholder> {
-        let curve = curve(scene)?;
-        Ok(Shown {
-            chart: drawn(scene, &curve),
-            name: say!(
-                "curve of {curve}, {component}",
-                curve = name(&curve),
-                component = scene.component.name()
-            ),
-            description: describe(scene, &curve),
-            pointed: HoverTarget::Samples(Box::new(Drawn {
-                scale: scale(scene, &curve),
-                units: scene.units,
-                curve,
-            })),
-        })
-    }
-
-    /// Every sample, along the chart.
-    fn numbers(&self, scene: &Scene) -> Table {
-        let Ok(curve) = curve(scene) else {
-            return Table::default();
-        };
-        let (loaded_session, component) = (&scene.loaded_session, scene.component.name());
-        let (along, what) = (curve.over.heading(loaded_session), name(&curve));
-        let [without, of] =
-            ["without", "of"].map(|which| format!("{component} {which} {what}, mm"));
-        let mut table = Table::new(["sample", &along, "side", &without, &of]);
-        for spot in &curve.spots {
-            let x = curve.over.cell(loaded_session, spot.x);
-            let numbers = [x, spot.side, spot.residual_mm, spot.effect_mm];
-            let sample = Cell::from(spot.sample + 1);
-            table.row([sample].into_iter().chain(numbers.map(Cell::from)));
-        }
-        table
-    }
+    table
 }
 
 fn curve(scene: &Scene) -> Result<EffectCurve, ChartPlaceholder> {
@@ -104,30 +86,6 @@ fn curve(scene: &Scene) -> Result<EffectCurve, ChartPlaceholder> {
     ))
 }
 
-/// What the pointer finds.
-struct Drawn {
-    units: Units,
-    curve: EffectCurve,
-    scale: Scale,
-}
-
-impl Samples for Drawn {
-    fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
-        let units = self.units;
-        let at = |spot: &EffectSample| {
-            [
-                self.scale.shown(spot.x),
-                units.length_value(spot.residual_mm),
-            ]
-        };
-        self.curve.spot(sample).map(at).into_iter().collect()
-    }
-
-    fn near(&self, _: [f64; 2], _: [f64; 2]) -> Vec<usize> {
-        some(&self.curve).map(|spot| spot.sample).collect()
-    }
-}
-
 /// The effect's name as it stands within a sentence.
 fn name(curve: &EffectCurve) -> String {
     let effect = crate::effects::find(curve.effect);
@@ -137,86 +95,76 @@ fn name(curve: &EffectCurve) -> String {
     )
 }
 
-fn scale(scene: &Scene, curve: &EffectCurve) -> Scale {
+fn show(scene: &Scene) -> Result<Shown, ChartPlaceholder> {
+    let curve = curve(scene)?;
+    let (session, units) = (&scene.loaded_session, scene.units);
     let [from, to] = curve.ends();
-    curve
-        .over
-        .scale(&scene.loaded_session, scene.units, to - from)
-}
-
-/// Samples that are drawn.
-fn some(curve: &EffectCurve) -> impl Iterator<Item = &EffectSample> {
-    curve.spots.iter().step_by(stride(curve.spots.len(), FEW))
-}
-
-fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
-    let units = scene.units;
-    let scale = scale(scene, curve);
-    let value = |mm: f64| units.length_value(mm);
-    let mark = |spot: &EffectSample, mm: f64| Mark {
-        at: [scale.shown(spot.x), value(mm)],
-        form: Form::of_side(spot.side),
+    let scale = curve.over.scale(session, units, to - from);
+    let place = |[x, mm]: [f64; 2]| [scale.shown(x), units.length_value(mm)];
+    let stage = |role, mm: fn(&EffectSample) -> f64| {
+        let mark = |spot: &EffectSample| Mark {
+            at: [spot.x, mm(spot)],
+            form: Form::of_side(spot.side),
+        };
+        let marks = curve.spots.iter().map(|spot| (spot.sample, mark(spot)));
+        (role, marks.collect())
     };
-    let [low, high] = curve.extent_mm;
-    let by = (0.08 * (high - low)).max(0.5 * LEAST_SPAN);
-    let [from, to] = curve.ends();
-    let least = 1e-3 + 1e-9 * from.abs().max(to.abs());
-    let beside = (0.03 * (to - from)).max(least);
-    let bounds = [
-        [scale.shown(from - beside), value(low - by)],
-        [scale.shown(to + beside), value(high + by)],
-    ];
+    let mut stages = vec![stage(ColourRole::Before, |spot| spot.residual_mm)];
     let mut items = Vec::new();
-    let zero = vec![[bounds[0][0], 0.0], [bounds[1][0], 0.0]];
-    items.push(Item::Line(zero, ColourRole::Reference, 1.0, false));
-    let residual = some(curve).map(|s| mark(s, s.residual_mm)).collect();
-    items.push(Item::Marks(residual, ColourRole::Before, false));
     for line in &curve.lines {
-        let points = line
-            .points
-            .iter()
-            .map(|[x, mm]| [scale.shown(*x), value(*mm)]);
+        let points = line.points.iter().map(|at| place(*at)).collect();
         let dashed = line.side < 0.0;
-        items.push(Item::Line(points.collect(), ColourRole::Curve, 2.4, dashed));
+        items.push(Item::Line(points, ColourRole::Curve, 2.4, dashed));
     }
     if curve.lines.is_empty() {
-        let alone = some(curve).map(|s| mark(s, s.effect_mm)).collect();
-        items.push(Item::Marks(alone, ColourRole::Curve, true));
+        items.push(Item::Marks(Vec::new(), ColourRole::Curve, true));
+        stages.insert(0, stage(ColourRole::Curve, |spot| spot.effect_mm));
     }
-    let what = name(curve);
+    let what = name(&curve);
     let component = scene.component.name();
-    let line = |name, whole| Entry::new(name, LegendSymbol::Line, ColourRole::Curve, whole);
-    let dot = LegendSymbol::Mark(Form::Disc);
-    let residual = Entry::new(say!("without it"), dot, ColourRole::Before, false);
-    let mut legend = vec![residual.on_paper(say!("without {effect}", effect = what))];
-    match &curve.lines[..] {
-        [] => {
-            legend.push(
-                Entry::new(say!("what it does"), dot, ColourRole::Curve, true).on_paper(&*what),
-            );
-        }
-        [_] => legend.push(line(say!("what it does"), true).on_paper(&*what)),
-        _ => legend.extend([
-            line(say!("approach +"), true),
-            line(say!("approach −"), false),
-        ]),
-    }
-    Chart {
-        title: say!(
-            "{component} residual without {effect}, and what it does",
-            component,
-            effect = what
-        ),
-        across: scale.axis(&curve.over.label(&scene.loaded_session)),
-        upwards: Axis::numbers(format!("{component}, {}", units.length_name())),
-        bounds,
-        items,
-        legend,
-        note: note(scene, curve),
-    }
+    let entry = |name, sign, whole| Entry::new(name, sign, ColourRole::Curve, whole);
+    let (dot, line) = (LegendSymbol::Mark(Form::Disc), LegendSymbol::Line);
+    let entry_of_residual = Entry::new(say!("without it"), dot, ColourRole::Before, false)
+        .on_paper(say!("without {effect}", effect = what));
+    let number = |mm: f64| significant(units.length_value(mm), 3);
+    let made = Deviation {
+        component,
+        is_length: false,
+        across: scale.axis(&curve.over.label(session)),
+        lengths: scene.lengths(&number),
+        x: [from, to].map(|x| scale.shown(x)),
+        mm: curve.extent_mm,
+        sides: false,
+        tolerance_mm: None,
+        floor_mm: None,
+        boundaries: Vec::new(),
+        series: vec![chart::Series {
+            entry: entry_of_residual,
+            samples: Vec::new(),
+        }],
+    };
+    let title = say!(
+        "{component} residual without {effect}, and what it does",
+        component,
+        effect = what
+    );
+    let mut chart = made.chart(title, String::new());
+    chart.items.extend(items);
+    chart.legend.extend(match &curve.lines[..] {
+        [] => vec![entry(say!("what it does"), dot, true).on_paper(&*what)],
+        [_] => vec![entry(say!("what it does"), line, true).on_paper(&*what)],
+        _ => vec![
+            entry(say!("approach +"), line, true),
+            entry(say!("approach −"), line, false),
+        ],
+    });
+    let name = say!("curve of {curve}, {component}", curve = what, component);
+    let mut shown = Shown::of(chart, name, &stages, place);
+    shown.chart.note = note(scene, &curve, &shown.series);
+    Ok(shown)
 }
 
-fn note(scene: &Scene, curve: &EffectCurve) -> String {
+fn note(scene: &Scene, curve: &EffectCurve, series: &[Series]) -> String {
     let mut notes = vec![say!(
         "what is left without {curve}; all else as fitted",
         curve = name(curve)
@@ -224,30 +172,10 @@ fn note(scene: &Scene, curve: &EffectCurve) -> String {
     if curve.lines.is_empty() {
         notes.push(say!("it depends on the pose too: its value at each sample").to_owned());
     }
-    notes.extend(thinned(
-        stride(curve.spots.len(), FEW),
-        phrase!("one point in {stride} shown"; stride),
-    ));
+    notes.extend(not_drawn(series, curve.spots.len()));
     let problems = scene.diagnosis().map(|d| &d.data_problems);
     if problems.is_some_and(|p| p.iter().any(|p| p.mend.is_some())) {
         notes.push(say!("a set-up error is not corrected yet and shows here too").to_owned());
     }
     notes.join(" · ")
-}
-
-/// What is seen, in words.
-fn describe(scene: &Scene, curve: &EffectCurve) -> String {
-    let units = scene.units;
-    let ends = curve.effect_mm.map(|mm| units.length(mm));
-    let [before, after] = curve.rms_mm.map(|mm| units.length(mm));
-    say!(
-        "{curve} over {label}: it moves the {component} deviation from {from} to {to}; without it {before} root mean square are left, with it {after}",
-        curve = name(curve),
-        label = curve.over.label(&scene.loaded_session),
-        component = scene.component.name(),
-        from = ends[0],
-        to = ends[1],
-        before,
-        after
-    )
 }
