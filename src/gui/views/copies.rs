@@ -5,14 +5,13 @@ use std::time::Duration;
 
 use egui::{Button, Context, Id, Popup, PopupKind, RichText, Ui, vec2};
 
-use crate::diagnosis::{Detectability, Diagnosis};
+use crate::diagnosis::Diagnosis;
 use crate::effects::find;
 use crate::fit::{Estimate, RegionResult};
 use crate::gui::charts::About;
 use crate::gui::style::space;
 use crate::gui::widgets::{self, Buttons, Does, Forms};
 use crate::gui::workbench::Workbench;
-use crate::present::limits::sight;
 use crate::present::names::parameter_in_english as parameter;
 use crate::present::table::{Cell, Table};
 use crate::units::deg_from_rad;
@@ -125,25 +124,6 @@ pub(super) fn found(d: &Diagnosis) -> String {
             cells.extend(odds.into_iter().chain(found.gap_mm).map(Cell::from));
             cells.extend(ends(found.held_out_mm));
             table.rows.push(cells);
-        }
-    }
-    table.tabbed()
-}
-
-/// How large each effect could be without having been seen; an empty size was not to be seen at all.
-pub(super) fn limits(d: &Diagnosis) -> String {
-    let mut table = Table::headed("effect | joint | parameter | detection limit (95 %) | unit");
-    for limit in &d.not_found {
-        for (full, size) in &limit.sizes {
-            let (name, unit) = parameter(full);
-            let size = match sight(limit.effect, full, *size) {
-                Detectability::Above(size) => Some(size),
-                Detectability::AtAnySize => Some(0.0),
-                Detectability::AtNoSize => None,
-            };
-            let joint = limit.joint.map(|joint| joint + 1);
-            let effect = Cell::from(effect_title(limit.effect));
-            table.row([effect, joint.into(), name.into(), size.into(), unit.into()]);
         }
     }
     table.tabbed()

@@ -68,13 +68,8 @@ fn reports(ui: &mut Ui, workbench: &Workbench) {
         }
     }
     if identified {
-        let text = if measured {
-            widgets::dots(say!("Report of the model"))
-        } else {
-            widgets::dots(say!("Report"))
-        };
         let what = What::Report(About::Model);
-        let report = ui.secondary(&text);
+        let report = ui.secondary(&widgets::dots(say!("Report of the model")));
         report.does(workbench, move |bench| bench.choose_where_to_export(what));
     }
 }

@@ -199,7 +199,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     for section in sections.iter() {
         match section.topic {
             Topic::NotIdentifiable | Topic::Limits | Topic::NotTestable => {
-                in_small(ui, section, d);
+                in_small(ui, section);
             }
             _ => {
                 widgets::card(ui, |ui| {
@@ -258,12 +258,9 @@ fn buttons(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, section: &Section)
 }
 
 /// What is looked up once in a while, folded below its title.
-fn in_small(ui: &mut Ui, section: &Section, d: &Diagnosis) {
+fn in_small(ui: &mut Ui, section: &Section) {
     ui.folded(&section.title, |ui| {
         blocks::show(ui, &section.blocks);
-        if section.topic == Topic::Limits {
-            copies::button(ui, say!("detection limits"), || copies::limits(d));
-        }
     });
 }
 
