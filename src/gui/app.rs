@@ -8,7 +8,7 @@ use std::sync::mpsc::{Receiver, channel};
 use egui::style::NumberFormatter;
 use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Rangef, Ui, ViewportCommand};
 
-use super::view::{NextAction, Preferences, largest_zoom};
+use super::view::{NextAction, Preferences, Theme, largest_zoom};
 use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::{self, Palette, space};
@@ -23,7 +23,7 @@ pub struct App {
     workbench: Workbench,
     /// What is opened in the first frame: by then it is known which language the window speaks.
     first: Option<PathBuf>,
-    shown: Preferences,
+    theme: Theme,
     /// The size of text as it was set last: that which is wanted, or what the window has room for.
     zoom: f32,
     /// The language where none is preferred.
@@ -65,7 +65,7 @@ impl App {
         Self {
             workbench,
             first: None,
-            shown: Preferences::default(),
+            theme: Theme::default(),
             zoom: 1.0,
             language: Language::English,
             title: String::new(),
@@ -268,28 +268,19 @@ impl App {
         let wanted = self.workbench.view.preferences;
         write_numbers(wanted.notation());
         let (zoom, largest) = (ctx.zoom_factor(), largest_zoom(ctx));
-        if wanted.zoom == self.shown.zoom && (zoom - self.zoom).abs() > 1e-3 {
-            self.zoom = zoom;
+        if (zoom - self.zoom).abs() > 1e-3 {
             let zoom = zoom.min(largest);
-            let preferences = Preferences { zoom, ..wanted }.sound();
-            self.shown.zoom = preferences.zoom;
+            let preferences = Preferences { zoom, ..wanted };
             self.workbench.execute(|bench| bench.prefer(preferences));
-            return;
         }
-        let fits = wanted.zoom.min(largest);
-        if (fits - self.zoom).abs() > 1e-3 {
-            self.zoom = fits;
-            ctx.set_zoom_factor(fits);
-        }
-        if wanted == self.shown {
-            return;
-        }
-        if wanted.theme != self.shown.theme {
+        self.zoom = self.workbench.view.preferences.zoom.min(largest);
+        ctx.set_zoom_factor(self.zoom);
+        if wanted.theme != self.theme {
+            self.theme = wanted.theme;
             ctx.set_theme(wanted.theme.preference());
             // What has begun to be drawn has the colours of before.
             ctx.request_discard("another theme");
         }
-        self.shown = wanted;
     }
 
     fn keep_title(&mut self, ctx: &Context) {

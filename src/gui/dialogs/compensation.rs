@@ -93,27 +93,22 @@ fn asked(
     if files::is_program(&wanted.path) {
         declarations(ui, &mut wanted, workbench);
     }
-    for (of, name, holds) in [
-        (
-            DifferingNumber::Tool,
-            say!("Tool of the program"),
-            &mut wanted.tool,
-        ),
-        (
-            DifferingNumber::Frame,
-            say!("Frame of the program"),
-            &mut wanted.frame,
-        ),
-    ] {
-        if differs.contains(&of) || *holds != Precedence::Unsettled {
-            let choices = [
-                (Precedence::Model, say!("the model's tool or base")),
-                (Precedence::Program, say!("as the program writes it")),
-            ];
-            one_of(ui, name, choices, holds);
-        }
+    let asks = |of, settled| differs.contains(&of) || settled;
+    let holds = [
+        (Precedence::Model, say!("the model's tool or base")),
+        (Precedence::Program, say!("as the program writes it")),
+    ];
+    let open = Precedence::Unsettled;
+    if asks(DifferingNumber::Tool, wanted.tool != open) {
+        one_of(ui, say!("Tool of the program"), holds, &mut wanted.tool);
     }
-    if differs.contains(&DifferingNumber::External) || wanted.external != ExternalAxes::Asked {
+    if asks(DifferingNumber::Frame, wanted.frame != open) {
+        one_of(ui, say!("Frame of the program"), holds, &mut wanted.frame);
+    }
+    if asks(
+        DifferingNumber::External,
+        wanted.external != ExternalAxes::Asked,
+    ) {
         let choices = [
             (ExternalAxes::CarryRobot, say!("carries the robot")),
             (ExternalAxes::Other, say!("moves something else")),

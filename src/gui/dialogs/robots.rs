@@ -13,7 +13,7 @@ use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::{Chosen, Form, SimulatedRobot, field};
 use crate::gui::style::space;
 use crate::gui::view::{Camera, Sheet, What};
-use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
+use crate::gui::widgets::{self, Buttons, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::robot_alone;
 use crate::kinematics::JointKind;
@@ -335,12 +335,6 @@ pub(super) fn simulation(ui: &mut Ui, form: &mut Form, workbench: &Workbench) {
     ui.hint(say!(
         "Random poses within the joint limits, three reflectors at the tool, speeds, loads and a warm-up mixed"
     ));
-    if form.is_of_the_lamp() {
-        ui.secondary(say!("Another robot…"))
-            .does(workbench, move |bench| {
-                bench.show_sheet(Some(Sheet::Robots));
-            });
-    }
     let wrong = form.problems();
     ui.section(say!("Measurement"));
     let poses = DragValue::new(&mut form.poses).speed(1.0);
@@ -353,14 +347,8 @@ pub(super) fn simulation(ui: &mut Ui, form: &mut Form, workbench: &Workbench) {
     ui.number(say!("random seed"), "", seed);
     ui.section(say!("Hidden effects"));
     effects(ui, form, &wrong);
-    simulate(ui, form, workbench);
-}
-
-/// What is wrong as a whole, and the buttons; what was changed stays in the sheet.
-fn simulate(ui: &mut Ui, form: &Form, workbench: &Workbench) {
-    let ready = form.problems().is_empty();
     let form = form.clone();
-    match ui.foot([(say!("Cancel"), true), (say!("Simulate"), ready)]) {
+    match ui.foot([(say!("Cancel"), true), (say!("Simulate"), wrong.is_empty())]) {
         Some(0) => workbench.then(|bench| bench.show_sheet(Sheet::Simulate(form).before())),
         Some(_) => workbench.then(|bench| bench.simulate(form)),
         None => {}

@@ -343,12 +343,12 @@ fn standards(ui: &mut Ui, workbench: &Workbench) {
         match workbench.figures() {
             None => ui.hint(say!("Computing…")),
             Some(Err(because)) => ui.hint(because),
-            Some(Ok(made)) => tables(ui, made),
+            Some(Ok(made)) => tables(ui, workbench, made),
         }
     });
 }
 
-fn tables(ui: &mut Ui, made: &StandardsFigures) {
+fn tables(ui: &mut Ui, workbench: &Workbench, made: &StandardsFigures) {
     let sections = explain::standards(&made.standards, 1);
     let tables = || sections.iter().flat_map(|section| &section.blocks);
     let table = |block: &Block| match block {
@@ -356,7 +356,9 @@ fn tables(ui: &mut Ui, made: &StandardsFigures) {
         _ => None,
     };
     if tables().any(|block| table(block).is_some()) {
-        copies::button(ui, say!("figures"), || tables().filter_map(table).collect());
+        copies::button(ui, workbench, say!("figures"), || {
+            tables().filter_map(table).collect()
+        });
     }
     for section in &sections {
         ui.section(&section.title);

@@ -218,7 +218,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
                 blocks::mend_all(ui, &d.data_problems, workbench);
             }
             Topic::Found(index) if index + 1 == d.found.len() => {
-                copies::button(ui, say!("found effects"), || copies::found(d));
+                copies::button(ui, workbench, say!("found effects"), || copies::found(d));
             }
             _ => {}
         }

@@ -151,21 +151,19 @@ pub(crate) fn notices(ui: &Ui, workbench: &Workbench, room: widgets::Layout) {
     let area = area.anchor(Align2::RIGHT_BOTTOM, vec2(-EDGE, -STATUS - EDGE));
     let area = area.show(ctx, |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
-        let card = |ui: &mut Ui, contents: &mut dyn FnMut(&mut Ui)| {
-            let frame = Frame::popup(ui.style())
-                .corner_radius(CornerRadius::same(space::ROUND + 2))
-                .inner_margin(INSIDE);
-            frame.show(ui, |ui| {
-                ui.set_width(wide);
-                ui.spacing_mut().item_spacing.y = space::TIGHT;
-                contents(ui);
-            });
-        };
+        let card = Frame::popup(ui.style())
+            .corner_radius(CornerRadius::same(space::ROUND + 2))
+            .inner_margin(INSIDE);
         if let Some(on_disk) = on_disk {
-            card(ui, &mut |ui| file_that_changed(ui, workbench, on_disk));
+            card.show(ui, |ui| {
+                ui.set_width(wide);
+                file_that_changed(ui, workbench, on_disk);
+            });
         }
         if let Some(message) = message {
-            card(ui, &mut |ui| {
+            card.show(ui, |ui| {
+                ui.set_width(wide);
+                ui.spacing_mut().item_spacing.y = space::TIGHT;
                 // What is long scrolls; its buttons stay in sight.
                 let scroll = ScrollArea::vertical().max_height(high);
                 scroll.show(ui, |ui| body(ui, message));

@@ -229,7 +229,22 @@ impl Workbench {
             self.view.message = replaced.then(|| Message::done(title, Vec::new()));
             self.identify(Some(Method::Exact));
         }
-        self.search_in(Arc::clone(self.loaded_session()));
+        if self.searching().is_some() {
+            return;
+        }
+        let session = Arc::clone(self.loaded_session());
+        self.derived.stopped = None;
+        self.derived.searching = Some(Arc::clone(&session));
+        self.jobs.start(
+            Kind::Searches,
+            say!("Diagnosis is running"),
+            move |watch| Search::of(session, watch),
+            // What is in the model may be just what was found, with the search's values.
+            |bench: &mut Self, search| {
+                bench.derived.searching = None;
+                bench.derived.searched = Some(Arc::new(search));
+            },
+        );
     }
 
     /// Prepares the export whose preparation was cancelled.

@@ -5,8 +5,6 @@ use std::sync::Arc;
 
 use crate::gui::core::answer::Question;
 use crate::gui::core::document::ExportChoice;
-use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::search::Search;
 use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Kind, Running};
 use crate::gui::view::{Message, What};
@@ -35,25 +33,6 @@ impl Workbench {
                 });
             }
         }
-    }
-
-    /// Searches a session for what is missing, unless a search is under way.
-    pub(super) fn search_in(&mut self, loaded_session: Arc<LoadedSession>) {
-        if self.searching().is_some() {
-            return;
-        }
-        self.derived.stopped = None;
-        self.derived.searching = Some(Arc::clone(&loaded_session));
-        self.jobs.start(
-            Kind::Searches,
-            say!("Diagnosis is running"),
-            move |watch| Search::of(loaded_session, watch),
-            // What is in the model may be just what was found, with the search's values.
-            |bench: &mut Self, search| {
-                bench.derived.searching = None;
-                bench.derived.searched = Some(Arc::new(search));
-            },
-        );
     }
 
     /// Stops the search. The names that it had found until then stay in sight, and a diagnosis that was complete
