@@ -50,8 +50,6 @@ struct RobotsInput {
     text: String,
     chosen: String,
     camera: Camera,
-    /// When it was last shown, in passes of the window: a gap means that it was closed since.
-    shown: u64,
 }
 
 /// One of the list.
@@ -126,15 +124,13 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench) {
     let id = ui.scope_id().with("typed robot");
     let before: Option<RobotsInput> = ui.data(|data| data.get_temp(id));
     let mut typed = before.unwrap_or_default();
-    let pass = ui.ctx().cumulative_pass_nr();
-    let first = pass > typed.shown + 1;
-    typed.shown = pass;
     let steps = [(Key::ArrowUp, -1), (Key::ArrowDown, 1)];
     let field = TextEdit::singleline(&mut typed.text).hint_text(examples());
     let line = vec2(ui.available_width(), space::PRIMARY);
     let field = ui.add_sized(line, field.align(egui::Align2::LEFT_CENTER));
     widgets::label(&field, say!("Find a robot"));
-    if first {
+    // What is typed or pressed is for the field, unless something else was gone to.
+    if ui.memory(|memory| memory.focused().is_none()) && !field.lost_focus() {
         field.request_focus();
         widgets::select_all(ui, field.id, &typed.text);
     }
@@ -144,7 +140,7 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench) {
         at = (!found.is_empty()).then_some(0);
     }
     let mut moved = field.changed();
-    if field.has_focus() || first {
+    if field.has_focus() {
         for (key, way) in steps {
             if ui.input_mut(|i| i.consume_key(Modifiers::NONE, key)) {
                 at = at.map(|at| at.saturating_add_signed(way).min(found.len() - 1));

@@ -173,23 +173,18 @@ impl Workbench {
 
     /// Saves to the session's own file, or asks for one.
     pub(crate) fn save(&mut self) {
-        match self.file().map(Path::to_path_buf) {
-            Some(path) => self.save_to(&path, Replace::Own),
-            None => self.choose_where_to_export(What::Session),
-        }
+        self.save_over(Replace::Own);
     }
 
     /// The same, although the file changed since it was read.
     pub(crate) fn save_despite(&mut self) {
-        if let Some(path) = self.file().map(Path::to_path_buf) {
-            self.save_to(&path, Replace::Whatever);
-        }
+        self.save_over(Replace::Whatever);
     }
 
-    /// Saves what is open to a file.
-    fn save_to(&mut self, path: &Path, replace: Replace) {
-        if self.prepared(What::Session).is_some() {
-            self.save_document(Arc::clone(self.history.present()), path, replace);
+    fn save_over(&mut self, replace: Replace) {
+        match self.file().map(Path::to_path_buf) {
+            Some(path) => self.save_document(Arc::clone(self.history.present()), &path, replace),
+            None => self.choose_where_to_export(What::Session),
         }
     }
 
