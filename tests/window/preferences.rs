@@ -1,8 +1,6 @@
 //! Units, digits, colours, size of text, keys and help, as a person finds them.
 
-use crate::window::{
-    Window, choose, keys, press, says, status, there, window, window_at, window_of,
-};
+use crate::window::{Window, keys, press, says, status, there, window, window_at, window_of};
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use truepose::gui::Runner;

@@ -12,7 +12,7 @@ use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::{Chosen, Form, SimulatedRobot, field};
 use crate::gui::style::space;
-use crate::gui::view::{Camera, Sheet, What};
+use crate::gui::view::{Camera, NextAction, Sheet, What};
 use crate::gui::widgets::{self, Buttons, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::robot_alone;
@@ -346,7 +346,7 @@ pub(super) fn simulation(ui: &mut Ui, form: &mut Form, workbench: &Workbench) {
     let form = form.clone();
     match ui.foot([(say!("Cancel"), true), (say!("Simulate"), wrong.is_empty())]) {
         Some(0) => workbench.then(|bench| bench.show_sheet(Sheet::Simulate(form).before())),
-        Some(_) => workbench.then(|bench| bench.simulate(form)),
+        Some(_) => workbench.then(|bench| bench.ask_then(NextAction::Simulate(form))),
         None => {}
     }
 }

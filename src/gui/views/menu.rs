@@ -72,7 +72,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
             REDO.sign(ui, workbench, widgets::REDO);
             UNDO.sign(ui, workbench, widgets::UNDO);
             ui.add_space(space::ROW);
-            let open = actions::layout(ui.ctx(), workbench).results();
+            let open = room.results();
             let says = if open {
                 say!("Hide results")
             } else {

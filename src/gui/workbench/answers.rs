@@ -88,11 +88,11 @@ impl Workbench {
     /// of its own, and the nominal robot was not seen from there: then deviations before are mostly
     /// those of the frame.
     pub(crate) fn found_base(&self) -> Option<Isometry3<f64>> {
+        /// Part of the workspace that is far.
+        const FAR: f64 = 0.05;
         if self.loaded_session().base.is_some() {
             return None;
         }
-        /// Part of the workspace that is far.
-        const FAR: f64 = 0.05;
         let reach_mm = self.loaded_session().overview.reach_mm;
         measuring_from_base(&self.answer()?.calibration.model, FAR * reach_mm)
     }

@@ -42,7 +42,6 @@ use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::regions::Counts;
 use crate::gui::core::search::Search;
-use crate::gui::core::simulate::Form;
 use crate::gui::file_state::recovery::{LeftBehind, RecoveryFile};
 use crate::gui::file_state::{Settings, Stated};
 use crate::gui::files;
@@ -255,14 +254,6 @@ impl Workbench {
             self.compensate_file(path);
         } else {
             self.ask_then(NextAction::Open(path));
-        }
-    }
-
-    pub(crate) fn simulate(&mut self, form: Form) {
-        if let Some(problem) = form.problem() {
-            self.complain(say!("The simulation needs other numbers"), vec![problem]);
-        } else {
-            self.ask_then(NextAction::Simulate(form));
         }
     }
 

@@ -245,9 +245,11 @@ impl Workbench {
         }
         let file = self.file().map(Path::to_path_buf);
         let work = move || {
-            let kept = match &document {
-                Some(document) => recovery::write(&path, &SavedDocument::of(document, file)),
-                None => Ok(drop(std::fs::remove_file(&path))),
+            let kept = if let Some(document) = &document {
+                recovery::write(&path, &SavedDocument::of(document, file))
+            } else {
+                let _ = std::fs::remove_file(&path);
+                Ok(())
             };
             (document, kept.map_err(|e| e.to_string()))
         };
