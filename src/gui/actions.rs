@@ -2,23 +2,18 @@
 //! what the help lists.
 
 use crate::gui::files;
-use crate::gui::view::{About, NextAction, Plane, Preferences, Sheet, Step, Theme, What};
+use crate::gui::view::{About, NextAction, Plane, Sheet, Step, What};
 
-use crate::text::{Template, capital, filled, spoken, within};
+use crate::text::{capital, within};
 use egui::{Button, Context, Key, KeyboardShortcut, Modifiers, Response, Role, Ui, WidgetInfo};
 
 use crate::gui::core::disk::EXAMPLES;
 use crate::gui::core::simulate::Form;
 use crate::gui::widgets::{Buttons, Does, Layout, dots};
 use crate::gui::workbench::Workbench;
-use crate::present::units::Units;
 
 fn looks_at(now: &Workbench, plane: Plane) -> bool {
     now.view.plane == plane && !now.view.in_space
-}
-
-fn dark(ctx: &Context) -> bool {
-    ctx.global_style().visuals.dark_mode
 }
 
 /// Something that can be done.
@@ -132,14 +127,6 @@ fn answered(now: &Workbench) -> bool {
     now.answer().is_some()
 }
 
-/// What is done, and to what.
-fn with([alone, of]: [Template; 2], what: Option<&str>) -> String {
-    what.map_or_else(
-        || spoken(alone).to_owned(),
-        |what| filled(of, &[("edit", &what)]),
-    )
-}
-
 /// A table of actions, row by row: name, keys, help, label in the menu, command, and what else there
 /// is to say of it.
 macro_rules! actions {
@@ -152,11 +139,10 @@ macro_rules! actions {
 }
 
 actions! {
-    REDO: SHIFTED, Z, |now| with([phrase!("Redo"), phrase!("Redo {edit}"; edit)], now.redoes()), |bench, _| bench.redo(),
+    REDO: SHIFTED, Z, |now| now.redoes().map_or_else(|| say!("Redo").into(), |edit| say!("Redo {edit}", edit)), |bench, _| bench.redo(),
         [when(|now| now.redoes().is_some())];
-    UNDO: COMMAND, Z, |now| with([phrase!("Undo"), phrase!("Undo {edit}"; edit)], now.undoes()), |bench, _| bench.undo(),
+    UNDO: COMMAND, Z, |now| now.undoes().map_or_else(|| say!("Undo").into(), |edit| say!("Undo {edit}", edit)), |bench, _| bench.undo(),
         [when(|now| now.undoes().is_some())];
-    OPEN_LATEST: SHIFTED, O, |_| String::new(), open_latest;
     OPEN: COMMAND, O, |_| dots(say!("Open")), |bench, _| bench.choose_file(files::choose_to_open);
     IMPORT: SHIFTED, I, |_| dots(say!("Import")),
         |bench, _| bench.choose_file(files::choose_to_import);
@@ -200,12 +186,6 @@ actions! {
         [when(|now| !now.view.chosen().is_empty())];
     PREFERENCES: COMMAND, Comma, |_| dots(say!("Preferences")),
         |bench, _| bench.show_sheet(Some(Sheet::Preferences));
-    NEXT_ANGLE: SHIFTED, U, |now| say!("Angles in {unit}", unit = Units { angle: now.view.preferences.next_angle(), ..now.units() }.angle_name().trim()),
-        |bench, _| bench.prefer(Preferences { angle: bench.view.preferences.next_angle(), ..bench.view.preferences });
-    NEXT_LENGTH: COMMAND, U, |now| say!("Lengths in {unit}", unit = Units { length: now.view.preferences.next_length(), ..now.units() }.length_name()),
-        |bench, _| bench.prefer(Preferences { length: bench.view.preferences.next_length(), ..bench.view.preferences });
-    OTHER_THEME: COMMAND, D, |_| say!("Light or dark").into(),
-        |bench, ctx| bench.prefer(Preferences { theme: if dark(ctx) { Theme::Light } else { Theme::Dark }, ..bench.view.preferences });
     RESULTS: COMMAND, B, |_| say!("Results").into(),
         |bench, ctx| bench.view.results = Some(!layout(ctx, bench).results());
     LOOK_XY: SHIFTED, Num1, |_| say!("Workspace from above").into(),
@@ -223,20 +203,15 @@ actions! {
         |bench, _| bench.view.fit();
     FIT_TOO: PLAIN, Home, |_| String::new(), |bench, _| bench.view.fit();
     STEP_1: COMMAND, Num1, |now| step_name(now, 0), |bench, _| bench.go_to(0),
-        [on(|now| now.steps().first() == Some(&now.view.step))],
-        [when(|now| !now.steps().is_empty())];
+        [on(|now| now.steps().first() == Some(&now.view.step))];
     STEP_2: COMMAND, Num2, |now| step_name(now, 1), |bench, _| bench.go_to(1),
-        [on(|now| now.steps().get(1) == Some(&now.view.step))],
-        [when(|now| now.steps().len() > 1)];
+        [on(|now| now.steps().get(1) == Some(&now.view.step))];
     STEP_3: COMMAND, Num3, |now| step_name(now, 2), |bench, _| bench.go_to(2),
-        [on(|now| now.steps().get(2) == Some(&now.view.step))],
-        [when(|now| now.steps().len() > 2)];
+        [on(|now| now.steps().get(2) == Some(&now.view.step))];
     STEP_4: COMMAND, Num4, |now| step_name(now, 3), |bench, _| bench.go_to(3),
-        [on(|now| now.steps().get(3) == Some(&now.view.step))],
-        [when(|now| now.steps().len() > 3)];
+        [on(|now| now.steps().get(3) == Some(&now.view.step))];
     STEP_5: COMMAND, Num5, |now| step_name(now, 4), |bench, _| bench.go_to(4),
-        [on(|now| now.steps().get(4) == Some(&now.view.step))],
-        [when(|now| now.steps().len() > 4)];
+        [on(|now| now.steps().get(4) == Some(&now.view.step))];
     ABOUT: Modifiers::SHIFT, F1, |_| say!("About truepose").into(),
         |bench, _| bench.show_sheet(Some(Sheet::About));
     WORDS: PLAIN, F1, |_| say!("Glossary").into(), |bench, _| bench.show_sheet(Some(Sheet::Words));
@@ -252,14 +227,6 @@ pub(crate) const STEPS: [Action; 5] = [STEP_1, STEP_2, STEP_3, STEP_4, STEP_5];
 fn step_name(workbench: &Workbench, index: usize) -> String {
     let step = workbench.steps().get(index);
     step.map_or("", |step| step.name()).to_owned()
-}
-
-fn open_latest(bench: &mut Workbench, _: &Context) {
-    let latest = bench.recent().next().cloned();
-    match latest {
-        Some(path) => bench.open_file(path),
-        None => bench.choose_file(files::choose_to_open),
-    }
 }
 
 fn are_excluded(workbench: &Workbench) -> bool {
@@ -290,15 +257,6 @@ pub(crate) fn item(ui: &mut Ui, button: Button<'_>, name: &str, enabled: bool) -
     let response = ui.add_enabled(enabled, button);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
     response
-}
-
-/// What opens the right-hand side, or shuts it.
-pub(crate) fn results_says(open: bool) -> &'static str {
-    if open {
-        say!("Hide results")
-    } else {
-        say!("Show results")
-    }
 }
 
 /// Keys as they stand on the keyboard.

@@ -4,39 +4,31 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
-use std::time::Duration;
 
 use egui::style::NumberFormatter;
 use egui::{CentralPanel, ColorImage, Context, Frame, Margin, Panel, Rangef, Ui, ViewportCommand};
 
-use super::view::{NextAction, Preferences, largest_zoom};
+use super::view::{NextAction, Preferences, Theme, largest_zoom};
 use super::{actions, dialogs, files, layers, widgets, workspace};
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::{self, Palette, space};
 use crate::gui::views::{chart, menu, status, steps};
 use crate::gui::widgets::{LEFT, MIDDLE, RIGHT, WIDEST};
 use crate::gui::workbench::Workbench;
-use crate::present::numbers::write_numbers;
+use crate::present::numbers::{notation, write_numbers};
 use crate::text::Language;
-
-/// So long after a change what is not saved is kept: a gesture is over by then.
-const RECOVERY_AFTER_S: f64 = 2.0;
 
 /// The window's contents.
 pub struct App {
     workbench: Workbench,
     /// What is opened in the first frame: by then it is known which language the window speaks.
     first: Option<PathBuf>,
-    shown: Preferences,
+    theme: Theme,
     /// The size of text as it was set last: that which is wanted, or what the window has room for.
     zoom: f32,
-    /// Whether fields were last told to write a comma.
-    comma: bool,
     /// The language where none is preferred.
     language: Language,
     title: String,
-    /// When recovery is written next, in the window's seconds.
-    recovery_due: Option<f64>,
     /// Where a picture of the window arrives that was asked for.
     picture: Option<Receiver<Arc<ColorImage>>>,
 }
@@ -58,7 +50,7 @@ impl App {
         style::apply(ctx);
         // A foot or a bar of another height moves a plot, and that its axes.
         ctx.options_mut(|options| options.max_passes = NonZeroUsize::MIN.saturating_add(2));
-        write_fields(ctx, false);
+        write_fields(ctx);
         let wake = ctx.clone();
         let jobs = Jobs::new(runner, Arc::new(move || wake.request_repaint()));
         let workbench = Workbench::new(files::first_example(), jobs);
@@ -73,12 +65,10 @@ impl App {
         Self {
             workbench,
             first: None,
-            shown: Preferences::default(),
+            theme: Theme::default(),
             zoom: 1.0,
-            comma: false,
             language: Language::English,
             title: String::new(),
-            recovery_due: None,
             picture: None,
         }
     }
@@ -135,7 +125,11 @@ impl App {
         self.workbench.receive();
         self.keep_preferences(ui.ctx());
         self.workbench.keep_drawing();
-        self.keep_time(ui.ctx());
+        self.workbench.keep_recovery();
+        // Coming back to the window from another program.
+        if ui.input(|i| i.events.contains(&egui::Event::WindowFocused(true))) {
+            self.workbench.execute(Workbench::look_at_disk);
+        }
         widgets::read_next(ui.ctx());
         actions::read(ui.ctx(), &self.workbench);
         // Asked for in the frame before, whose sheet is closed by now.
@@ -272,54 +266,20 @@ impl App {
     /// have changed the size of text.
     fn keep_preferences(&mut self, ctx: &Context) {
         let wanted = self.workbench.view.preferences;
-        let notation = wanted.notation();
-        write_numbers(notation);
-        if notation.comma != self.comma {
-            self.comma = notation.comma;
-            write_fields(ctx, notation.comma);
-        }
+        write_numbers(wanted.notation());
         let (zoom, largest) = (ctx.zoom_factor(), largest_zoom(ctx));
-        if wanted.zoom == self.shown.zoom && (zoom - self.zoom).abs() > 1e-3 {
-            self.zoom = zoom;
+        if (zoom - self.zoom).abs() > 1e-3 {
             let zoom = zoom.min(largest);
-            let preferences = Preferences { zoom, ..wanted }.sound();
-            self.shown.zoom = preferences.zoom;
+            let preferences = Preferences { zoom, ..wanted };
             self.workbench.execute(|bench| bench.prefer(preferences));
-            return;
         }
-        let fits = wanted.zoom.min(largest);
-        if (fits - self.zoom).abs() > 1e-3 {
-            self.zoom = fits;
-            ctx.set_zoom_factor(fits);
-        }
-        if wanted == self.shown {
-            return;
-        }
-        if wanted.theme != self.shown.theme {
+        self.zoom = self.workbench.view.preferences.zoom.min(largest);
+        ctx.set_zoom_factor(self.zoom);
+        if wanted.theme != self.theme {
+            self.theme = wanted.theme;
             ctx.set_theme(wanted.theme.preference());
             // What has begun to be drawn has the colours of before.
             ctx.request_discard("another theme");
-        }
-        self.shown = wanted;
-    }
-
-    /// What is done at its time: recovery a moment after a change, and a look at the disk when one comes back to the
-    /// window from another program.
-    fn keep_time(&mut self, ctx: &Context) {
-        let now = ctx.input(|i| i.time);
-        if self.workbench.recovery_lags() {
-            let due = *self.recovery_due.get_or_insert(now + RECOVERY_AFTER_S);
-            if now >= due {
-                self.recovery_due = None;
-                self.workbench.execute(Workbench::keep_recovery);
-            } else {
-                ctx.request_repaint_after(Duration::from_secs_f64(due - now));
-            }
-        } else {
-            self.recovery_due = None;
-        }
-        if ctx.input(|i| i.events.contains(&egui::Event::WindowFocused(true))) {
-            self.workbench.execute(Workbench::look_at_disk);
         }
     }
 
@@ -333,13 +293,17 @@ impl App {
 }
 
 /// Numbers in fields have a real minus sign, and the decimal sign that the user wants.
-fn write_fields(ctx: &Context, comma: bool) {
+fn write_fields(ctx: &Context) {
     ctx.all_styles_mut(|style| {
-        style.number_formatter = NumberFormatter::new(move |value, decimals| {
+        style.number_formatter = NumberFormatter::new(|value, decimals| {
             let text = egui::emath::format_with_decimals_in_range(value, decimals);
             let is_zero = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
             let text = text.replace('-', if is_zero { "" } else { "−" });
-            if comma { text.replace('.', ",") } else { text }
+            if notation().comma {
+                text.replace('.', ",")
+            } else {
+                text
+            }
         });
     });
 }

@@ -324,7 +324,7 @@ fn what_is_kept_for_tomorrow_says_where_it_cannot_be_kept_and_the_work_goes_on()
         "What is not saved cannot be kept against a crash"
     ));
     press(&mut window, "Dismiss");
-    keys(&mut window, Modifiers::COMMAND, Key::U);
+    prefer(&mut window, "µm");
     assert!(says(&window, "Not everything could be saved for recovery"));
     assert!(says(&window, "save it under a name of your own"));
     press(&mut window, "Dismiss");
@@ -337,6 +337,13 @@ fn what_is_kept_for_tomorrow_says_where_it_cannot_be_kept_and_the_work_goes_on()
     assert_eq!(fs::read_to_string(&file).expect("there"), "old");
 }
 
+/// Chooses another unit of lengths.
+fn prefer(window: &mut Window, unit: &str) {
+    keys(window, Modifiers::COMMAND, Key::Comma);
+    press(window, unit);
+    press(window, "Done");
+}
+
 #[test]
 fn recovery_and_preferences_on_a_full_disk_keep_what_they_had() {
     let Some(small) = Small::new("size=512k") else {
@@ -344,7 +351,7 @@ fn recovery_and_preferences_on_a_full_disk_keep_what_they_had() {
     };
     let home = small.path().join("home");
     let mut window = window_at(None, Some(&home));
-    keys(&mut window, Modifiers::COMMAND, Key::U);
+    prefer(&mut window, "inch");
     let settings = home.join("settings.json");
     let before = fs::read(&settings).expect("the preferences are kept");
     press(&mut window, "2 Regions");
@@ -354,7 +361,7 @@ fn recovery_and_preferences_on_a_full_disk_keep_what_they_had() {
     let kept = recovery_file(&home).expect("what is not saved is kept");
     let kept_before = fs::read(&kept).expect("it can be read");
     small.fill();
-    keys(&mut window, Modifiers::COMMAND, Key::U);
+    prefer(&mut window, "µm");
     assert!(says(&window, "Not everything could be saved for recovery"));
     press(&mut window, "Dismiss");
     press(&mut window, "3 Identify");

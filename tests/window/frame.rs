@@ -253,35 +253,27 @@ fn the_pointer_on_a_sample_names_it_and_the_table_shows_it() {
 }
 
 #[test]
-fn with_one_menu_open_the_pointer_and_a_click_open_the_others() {
+fn with_one_menu_open_the_pointer_opens_the_others() {
     let mut window = window(None);
     let shown = |window: &Window| {
-        let items = ["Quit", "Preferences…", "Light or dark", "About truepose"];
+        let items = [
+            "Quit",
+            "Preferences…",
+            "Workspace from above",
+            "About truepose",
+        ];
         items.map(|item| there(window, item))
     };
     press(&mut window, "File");
     assert_eq!(shown(&window), [true, false, false, false]);
     let menus = ["File", "Edit", "View", "Help"];
     let only = |menu: &str| menus.map(|other| other == menu);
-    for (menu, other) in [
-        ("Edit", "Help"),
-        ("View", "File"),
-        ("Help", "Edit"),
-        ("File", "View"),
-    ] {
+    for menu in ["Edit", "View", "Help", "File", "View"] {
         window.get_by_label(menu).hover();
         window.run_steps(2);
         assert_eq!(shown(&window), only(menu), "the pointer on {menu}");
-        // Whoever clicks what the pointer has just opened wants it open.
-        window.get_by_label(menu).click();
-        window.run_steps(3);
-        assert_eq!(shown(&window), only(menu), "{menu} clicked");
-        // A click that comes with the pointer opens it as well.
-        window.get_by_label(other).click();
-        window.run_steps(4);
-        assert_eq!(shown(&window), only(other), "{other} clicked");
     }
-    // And a click on what has been open for a while closes it.
+    // And a click on what is open closes it.
     window.run_steps(12);
     window.get_by_label("View").click();
     window.run_steps(4);

@@ -187,7 +187,7 @@ fn every_item_of_every_menu_comes_into_sight_in_a_small_window() {
         for (menu, items) in [
             ("File", &["Save session as…", "Save model…", "Quit"][..]),
             ("Edit", &["Exclude samples", "Preferences…"]),
-            ("View", &["Workspace in 3-D", "Light or dark"]),
+            ("View", &["Workspace in 3-D", "Results"]),
             ("Help", &["Glossary", "About truepose"]),
         ] {
             press(&mut window, menu);

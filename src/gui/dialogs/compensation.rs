@@ -1,8 +1,7 @@
 //! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
 //! targets are left as they are and why.
 
-use egui::{Align, Button, DragValue, Layout, RadioButton, RichText, ScrollArea, Ui, vec2};
-use egui_extras::{Column, TableBuilder};
+use egui::{Button, DragValue, Label, RadioButton, RichText, ScrollArea, Ui, vec2};
 
 use crate::explain::{self, Detail, Section, Topic};
 use crate::gui::core::compensated::{Changed, CompensationRequest, MOST_KG};
@@ -23,9 +22,6 @@ const HIGH: f32 = 0.3;
 const OTHER: f32 = 396.0;
 /// Least height of the targets, and of the lines, points.
 const LEAST: f32 = 90.0;
-const ROW: f32 = 20.0;
-/// Width of the line's number, points.
-const NUMBER: f32 = 44.0;
 /// So many targets and remarks of a kind are listed; the sidecar has all of them.
 const MOST_LEFT: usize = 30;
 
@@ -93,27 +89,22 @@ fn asked(
     if files::is_program(&wanted.path) {
         declarations(ui, &mut wanted, workbench);
     }
-    for (of, name, holds) in [
-        (
-            DifferingNumber::Tool,
-            say!("Tool of the program"),
-            &mut wanted.tool,
-        ),
-        (
-            DifferingNumber::Frame,
-            say!("Frame of the program"),
-            &mut wanted.frame,
-        ),
-    ] {
-        if differs.contains(&of) || *holds != Precedence::Unsettled {
-            let choices = [
-                (Precedence::Model, say!("the model's tool or base")),
-                (Precedence::Program, say!("as the program writes it")),
-            ];
-            one_of(ui, name, choices, holds);
-        }
+    let asks = |of, settled| differs.contains(&of) || settled;
+    let holds = [
+        (Precedence::Model, say!("the model's tool or base")),
+        (Precedence::Program, say!("as the program writes it")),
+    ];
+    let open = Precedence::Unsettled;
+    if asks(DifferingNumber::Tool, wanted.tool != open) {
+        one_of(ui, say!("Tool of the program"), holds, &mut wanted.tool);
     }
-    if differs.contains(&DifferingNumber::External) || wanted.external != ExternalAxes::Asked {
+    if asks(DifferingNumber::Frame, wanted.frame != open) {
+        one_of(ui, say!("Frame of the program"), holds, &mut wanted.frame);
+    }
+    if asks(
+        DifferingNumber::External,
+        wanted.external != ExternalAxes::Asked,
+    ) {
         let choices = [
             (ExternalAxes::CarryRobot, say!("carries the robot")),
             (ExternalAxes::Other, say!("moves something else")),
@@ -200,47 +191,36 @@ fn high(ui: &Ui) -> f32 {
     (0.5 * (window - OTHER)).min(HIGH * window).max(LEAST)
 }
 
-/// What changes, side by side.
+/// What changes, each line before and after.
 fn lines(ui: &mut Ui, changed: &[Changed]) {
     if changed.is_empty() {
         return;
     }
     ui.section(say!("Lines that change"));
     let palette = Palette::of(ui);
-    let spacing = 2.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
-    let wide = ((ui.available_width() - NUMBER - spacing) / 2.0).max(80.0);
-    let rows = changed.len() as f32;
-    let high = high(ui).min(rows * (ROW + 4.0));
-    TableBuilder::new(ui)
+    let scroll = ScrollArea::both()
         .id_salt("lines that change")
-        .striped(true)
-        .cell_layout(Layout::left_to_right(Align::Center))
-        .column(Column::exact(NUMBER))
-        .columns(Column::exact(wide).clip(true), 2)
-        .max_scroll_height(high)
-        .min_scrolled_height(0.0)
-        .header(ROW, |mut header| {
-            for head in [say!("line"), say!("before"), say!("corrected")] {
-                header.col(|ui| {
-                    ui.label(RichText::new(head).font(strong(size::SMALL)));
-                });
+        .max_height(high(ui))
+        .auto_shrink([false, true]);
+    let line = |ui: &mut Ui, row: usize| {
+        let one = &changed[row / 2];
+        let (sign, text, color) = if row.is_multiple_of(2) {
+            ("−", &one.before, palette.muted)
+        } else {
+            ("+", &one.after, palette.text)
+        };
+        for text in [&format!("{:>5} {sign}", one.line), text] {
+            let text = RichText::new(text).monospace().size(size::SMALL);
+            ui.add(Label::new(text.color(color)).extend());
+        }
+    };
+    ui.scope(|ui| {
+        widgets::dense(ui);
+        let high = ui.spacing().interact_size.y;
+        scroll.show_rows(ui, high, 2 * changed.len(), |ui, rows| {
+            for row in rows {
+                ui.horizontal(|ui| line(ui, row));
             }
-        })
-        .body(|body| {
-            body.rows(ROW, changed.len(), |mut row| {
-                let one = &changed[row.index()];
-                let cells = [
-                    (one.line.to_string(), palette.muted),
-                    (one.before.clone(), palette.muted),
-                    (one.after.clone(), palette.text),
-                ];
-                for (text, color) in cells {
-                    row.col(|ui| {
-                        let shown = RichText::new(&text).monospace().color(color);
-                        let label = egui::Label::new(shown.size(size::SMALL)).truncate();
-                        ui.add(label);
-                    });
-                }
-            });
         });
+    });
 }

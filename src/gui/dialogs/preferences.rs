@@ -1,10 +1,10 @@
 //! Units, digits, colours, size of text: seen at once, kept for tomorrow.
 
 use crate::text::LANGUAGES;
-use egui::{Slider, Ui};
+use egui::Ui;
 
-use crate::gui::view::{Preferences, Theme, ZOOM, largest_zoom};
-use crate::gui::widgets::{self, Buttons, Forms, Words};
+use crate::gui::view::{Theme, largest_zoom};
+use crate::gui::widgets::{self, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::present::units::{AngleUnit, LengthUnit};
 
@@ -50,21 +50,14 @@ pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench) {
         (Theme::Dark, say!("dark")),
     ];
     ui.choice_row(say!("Colours"), &themes, &mut next.theme);
-    ui.form_row(say!("Size of text"), |ui| {
-        let mut percent = (100.0 * now.zoom).round();
-        let range = 100.0 * ZOOM.start()..=100.0 * ZOOM.end();
-        let slider = Slider::new(&mut percent, range).step_by(10.0).suffix(" %");
-        let slider = ui.named(say!("Size of text"), slider.update_while_editing(false));
-        // While it is dragged the slider would run away from under the pointer.
-        let id = ui.scope_id().with("size of text");
-        if slider.dragged() {
-            ui.data_mut(|data| data.insert_temp(id, percent));
-        } else {
-            let dragged = ui.data_mut(|data| data.remove_temp::<f32>(id));
-            let chosen = dragged.or(slider.changed().then_some(percent));
-            next.zoom = chosen.map_or(next.zoom, |percent| percent / 100.0);
-        }
-    });
+    let sizes = [
+        (0.8, "80 %"),
+        (1.0, "100 %"),
+        (1.25, "125 %"),
+        (1.5, "150 %"),
+        (2.0, "200 %"),
+    ];
+    ui.choice_row(say!("Size of text"), &sizes, &mut next.zoom);
     let largest = largest_zoom(ui.ctx());
     if now.zoom > largest + 1e-3 {
         let percent = (100.0 * largest).floor();
@@ -73,14 +66,7 @@ pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench) {
             percent
         ));
     }
-    let changed = now != Preferences::default();
-    match ui.foot([(say!("Reset all"), changed), (say!("Done"), true)]) {
-        Some(0) => next = Preferences::default(),
-        pressed if pressed.is_some() || widgets::entered(ui) => {
-            workbench.then(|bench| bench.show_sheet(None));
-        }
-        _ => {}
-    }
+    super::done(ui, workbench);
     if next != now {
         workbench.then(move |bench| bench.prefer(next));
     }

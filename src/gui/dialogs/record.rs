@@ -57,17 +57,6 @@ pub(super) fn details(ui: &mut Ui, workbench: &Workbench) {
             ui.choice(&rules, &mut stated.details.rule);
             ui.end_row();
         });
-    let now = workbench.document().tolerance_mm;
-    if let (None, Some(last)) = (now, stated.details.tolerance_mm) {
-        let says = say!("Last time it was {last} mm", last);
-        ui.horizontal(|ui| {
-            ui.caption(&says);
-            let use_it = ui.small_button(say!("Use it"));
-            use_it.does(workbench, move |bench| {
-                bench.edit(|d| d.set_tolerance(Some(last)));
-            });
-        });
-    }
     if let Some(rule) = stated.details.rule {
         ui.hint(about(rule));
     }

@@ -12,8 +12,8 @@ use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::{Chosen, Form, SimulatedRobot, field};
 use crate::gui::style::space;
-use crate::gui::view::{Camera, Sheet, What};
-use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
+use crate::gui::view::{Camera, NextAction, Sheet, What};
+use crate::gui::widgets::{self, Buttons, Forms, Words};
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::robot_alone;
 use crate::kinematics::JointKind;
@@ -50,8 +50,6 @@ struct RobotsInput {
     text: String,
     chosen: String,
     camera: Camera,
-    /// When it was last shown, in passes of the window: a gap means that it was closed since.
-    shown: u64,
 }
 
 /// One of the list.
@@ -126,15 +124,13 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench) {
     let id = ui.scope_id().with("typed robot");
     let before: Option<RobotsInput> = ui.data(|data| data.get_temp(id));
     let mut typed = before.unwrap_or_default();
-    let pass = ui.ctx().cumulative_pass_nr();
-    let first = pass > typed.shown + 1;
-    typed.shown = pass;
     let steps = [(Key::ArrowUp, -1), (Key::ArrowDown, 1)];
     let field = TextEdit::singleline(&mut typed.text).hint_text(examples());
     let line = vec2(ui.available_width(), space::PRIMARY);
     let field = ui.add_sized(line, field.align(egui::Align2::LEFT_CENTER));
     widgets::label(&field, say!("Find a robot"));
-    if first {
+    // What is typed or pressed is for the field, unless something else was gone to.
+    if ui.memory(|memory| memory.focused().is_none()) && !field.lost_focus() {
         field.request_focus();
         widgets::select_all(ui, field.id, &typed.text);
     }
@@ -144,7 +140,7 @@ pub(super) fn robots(ui: &mut Ui, workbench: &Workbench) {
         at = (!found.is_empty()).then_some(0);
     }
     let mut moved = field.changed();
-    if field.has_focus() || first {
+    if field.has_focus() {
         for (key, way) in steps {
             if ui.input_mut(|i| i.consume_key(Modifiers::NONE, key)) {
                 at = at.map(|at| at.saturating_add_signed(way).min(found.len() - 1));
@@ -335,12 +331,6 @@ pub(super) fn simulation(ui: &mut Ui, form: &mut Form, workbench: &Workbench) {
     ui.hint(say!(
         "Random poses within the joint limits, three reflectors at the tool, speeds, loads and a warm-up mixed"
     ));
-    if form.is_of_the_lamp() {
-        ui.secondary(say!("Another robot…"))
-            .does(workbench, move |bench| {
-                bench.show_sheet(Some(Sheet::Robots));
-            });
-    }
     let wrong = form.problems();
     ui.section(say!("Measurement"));
     let poses = DragValue::new(&mut form.poses).speed(1.0);
@@ -353,16 +343,10 @@ pub(super) fn simulation(ui: &mut Ui, form: &mut Form, workbench: &Workbench) {
     ui.number(say!("random seed"), "", seed);
     ui.section(say!("Hidden effects"));
     effects(ui, form, &wrong);
-    simulate(ui, form, workbench);
-}
-
-/// What is wrong as a whole, and the buttons; what was changed stays in the sheet.
-fn simulate(ui: &mut Ui, form: &Form, workbench: &Workbench) {
-    let ready = form.problems().is_empty();
     let form = form.clone();
-    match ui.foot([(say!("Cancel"), true), (say!("Simulate"), ready)]) {
+    match ui.foot([(say!("Cancel"), true), (say!("Simulate"), wrong.is_empty())]) {
         Some(0) => workbench.then(|bench| bench.show_sheet(Sheet::Simulate(form).before())),
-        Some(_) => workbench.then(|bench| bench.simulate(form)),
+        Some(_) => workbench.then(|bench| bench.ask_then(NextAction::Simulate(form))),
         None => {}
     }
 }

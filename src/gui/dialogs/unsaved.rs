@@ -9,15 +9,14 @@ use egui::{Id, Key, TextEdit, Ui};
 use crate::text::capital;
 
 use crate::gui::core::disk::name_of;
-use crate::gui::style::space;
 use crate::gui::view::{NextAction, Sheet, What};
-use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
+use crate::gui::widgets::{self, Buttons, Forms, Words};
 use crate::gui::workbench::Workbench;
 
 /// Shows what would be lost, and what can be done about it.
 pub(super) fn losses(ui: &mut Ui, workbench: &Workbench, then: &NextAction) {
     let discard = say!("Go on without saving");
-    widgets::head(ui, 420.0, say!("{question}?", question = discard));
+    widgets::head(ui, 520.0, say!("{question}?", question = discard));
     let name = &workbench.loaded_session().session.name;
     let losses = workbench.at_risk();
     if losses.session {
@@ -44,25 +43,12 @@ pub(super) fn losses(ui: &mut Ui, workbench: &Workbench, then: &NextAction) {
         (false, false) => discard.to_owned(),
     };
     let then = then.clone();
-    let [saved, discarded] = decided(ui, &save, discard, workbench);
-    if saved && losses.any() {
-        workbench.then(move |bench| bench.save_then(then));
-    } else if saved || discarded {
-        workbench.then(move |bench| bench.go(then));
+    match ui.foot([(say!("Cancel"), true), (discard, true), (&save, true)]) {
+        Some(0) => workbench.then(|bench| bench.show_sheet(None)),
+        Some(2) if losses.any() => workbench.then(move |bench| bench.save_then(then)),
+        Some(_) => workbench.then(move |bench| bench.go(then)),
+        None => {}
     }
-}
-
-/// The button that loses nothing, and below it one that loses something, and *Cancel*. Which of the first two was
-/// pressed.
-fn decided(ui: &mut Ui, keep: &str, lose: &str, workbench: &Workbench) -> [bool; 2] {
-    ui.add_space(space::ROW);
-    let kept = ui.primary(keep).clicked();
-    let lost = ui.columns(2, |columns| {
-        let cancel = columns[1].secondary(say!("Cancel"));
-        cancel.does(workbench, |bench| bench.show_sheet(None));
-        columns[0].secondary(lose).clicked()
-    });
-    [kept, lost]
 }
 
 /// Asks before what was typed on a sheet is discarded.
@@ -89,13 +75,15 @@ pub(super) fn overwrite(ui: &mut Ui, path: &Path, workbench: &Workbench) {
         widgets::dots(say!("Save under another name")),
         say!("Replace it"),
     );
-    match decided(ui, &keep, lose, workbench) {
-        [true, _] => workbench.then(|bench| {
+    match ui.foot([(say!("Cancel"), true), (lose, true), (&keep, true)]) {
+        Some(1) => workbench.then(Workbench::save_despite),
+        Some(pressed) => workbench.then(move |bench| {
             bench.show_sheet(None);
-            bench.choose_where_to_export(What::Session);
+            if pressed == 2 {
+                bench.choose_where_to_export(What::Session);
+            }
         }),
-        [_, true] => workbench.then(Workbench::save_despite),
-        _ => {}
+        None => {}
     }
 }
 

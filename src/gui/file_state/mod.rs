@@ -15,6 +15,7 @@ use crate::gui::core::robot_table::RobotTable;
 use crate::gui::view::Preferences;
 
 use crate::report::{Details, Logo};
+use crate::sessions::Session;
 use crate::text::spoken;
 
 /// The folder where this user's programs keep their data, and this program's in it; `None` where
@@ -165,23 +166,14 @@ pub(crate) struct Machine {
     details: serde_json::Value,
 }
 
-/// A session, as far as it shows of which machine it is.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Of<'a> {
-    pub(crate) robot: &'a str,
-    pub(crate) session: &'a str,
-    pub(crate) folder: &'a Path,
-    /// Name of the instrument in the session; may be empty.
-    pub(crate) instrument: &'a str,
-}
-
 impl Machine {
-    pub(crate) fn new(of: Of<'_>, stated: &Stated) -> Self {
+    /// As it is stated for a session in this folder; an empty one where it is in no file.
+    pub(crate) fn new(session: &Session, folder: &Path, stated: &Stated) -> Self {
         let document = serde_json::from_str(&stated.details.document());
         Self {
-            robot: of.robot.to_owned(),
-            session: of.session.to_owned(),
-            folder: of.folder.to_owned(),
+            robot: session.robot.name.clone(),
+            session: session.name.clone(),
+            folder: folder.to_owned(),
             logo: stated.logo.clone(),
             details: document.unwrap_or_default(),
         }
@@ -208,13 +200,14 @@ pub(crate) fn remember(machines: &mut Vec<Machine>, machine: Machine) {
     machines.truncate(MOST);
 }
 
-/// What is proposed for a session.
-pub(crate) fn proposed(machines: &[Machine], of: Of<'_>) -> Stated {
-    let here: Vec<&Machine> = machines.iter().filter(|m| m.robot == of.robot).collect();
-    let in_folder = |m: &&&Machine| !m.folder.as_os_str().is_empty() && m.folder == of.folder;
+/// What is proposed for a session in this folder.
+pub(crate) fn proposed(machines: &[Machine], of: &Session, folder: &Path) -> Stated {
+    let (robot, instrument) = (&of.robot.name, &of.instrument.name);
+    let here: Vec<&Machine> = machines.iter().filter(|m| m.robot == *robot).collect();
+    let in_folder = |m: &&&Machine| !m.folder.as_os_str().is_empty() && m.folder == folder;
     let same: Vec<&Machine> = here.iter().filter(in_folder).copied().collect();
     let all = if same.is_empty() { here } else { same };
-    let own = all.iter().find(|m| m.session == of.session);
+    let own = all.iter().find(|m| m.session == of.name);
     let one = all.iter().all(|m| m.serial() == all[0].serial());
     let newest = all.first().filter(|_| one);
     if let Some(mut stated) = own.or(newest).and_then(|machine| machine.stated()) {
@@ -228,16 +221,16 @@ pub(crate) fn proposed(machines: &[Machine], of: Of<'_>) -> Stated {
     let last = machines.first().and_then(Machine::stated);
     let last = last.unwrap_or_default().details;
     let mut details = Details {
-        machine: of.robot.to_owned(),
+        machine: robot.clone(),
         operator: last.operator,
         ..Details::default()
     };
-    if of.instrument.is_empty() || of.instrument == last.instrument {
+    if instrument.is_empty() || *instrument == last.instrument {
         details.instrument = last.instrument;
         details.instrument_serial = last.instrument_serial;
         details.instrument_calibrated = last.instrument_calibrated;
     } else {
-        of.instrument.clone_into(&mut details.instrument);
+        details.instrument.clone_from(instrument);
     }
     Stated {
         details,
@@ -349,13 +342,19 @@ mod tests {
 mod tests_of_machines {
     use super::*;
 
-    fn of<'a>(session: &'a str, folder: &'a str) -> Of<'a> {
-        Of {
-            robot: "lamp",
-            session,
-            folder: Path::new(folder),
-            instrument: "tracker",
-        }
+    fn named(name: &str) -> Session {
+        let mut session = crate::gui::files::first_example().session.clone();
+        session.name = name.to_owned();
+        session.instrument.name = "tracker".to_owned();
+        session
+    }
+
+    fn made(session: &str, folder: &str, stated: &Stated) -> Machine {
+        Machine::new(&named(session), Path::new(folder), stated)
+    }
+
+    fn proposed(machines: &[Machine], session: &str, folder: &str) -> Stated {
+        super::proposed(machines, &named(session), Path::new(folder))
     }
 
     fn stated(serial: &str) -> Stated {
@@ -371,25 +370,19 @@ mod tests_of_machines {
     #[test]
     fn a_machine_is_known_by_its_robot_and_another_ones_serial_number_is_never_proposed() {
         let mut machines = Vec::new();
-        remember(
-            &mut machines,
-            Machine::new(of("before", "/a"), &stated("L-17")),
-        );
-        let again = proposed(&machines, of("before", "/a"));
+        remember(&mut machines, made("before", "/a", &stated("L-17")));
+        let again = proposed(&machines, "before", "/a");
         assert_eq!(
             again,
             stated("L-17"),
             "the same session has its number back"
         );
-        let next = proposed(&machines, of("after", "/elsewhere")).details;
+        let next = proposed(&machines, "after", "/elsewhere").details;
         assert_eq!((&*next.machine_serial, &*next.report_number), ("L-17", ""));
 
-        remember(
-            &mut machines,
-            Machine::new(of("first", "/b"), &stated("L-18")),
-        );
+        remember(&mut machines, made("first", "/b", &stated("L-18")));
         let serial = |session, folder| {
-            let stated = proposed(&machines, of(session, folder)).details;
+            let stated = proposed(&machines, session, folder).details;
             (
                 stated.machine_serial,
                 stated.operator,
@@ -408,15 +401,13 @@ mod tests_of_machines {
         let mut machines = Vec::new();
         for k in 0..2 * MOST {
             let serial = format!("L-{}", k % (MOST + 10));
-            remember(&mut machines, Machine::new(of("s", ""), &stated(&serial)));
+            remember(&mut machines, made("s", "", &stated(&serial)));
         }
         assert_eq!(machines.len(), MOST);
-        let other = Of {
-            instrument: "camera",
-            robot: "arm",
-            ..of("s", "")
-        };
-        let details = proposed(&machines, other).details;
+        let mut other = named("s");
+        other.instrument.name = "camera".to_owned();
+        other.robot.name = "arm".to_owned();
+        let details = super::proposed(&machines, &other, Path::new("")).details;
         assert_eq!((&*details.instrument, &*details.machine), ("camera", "arm"));
         assert!(details.instrument_serial.is_empty(), "another instrument's");
     }

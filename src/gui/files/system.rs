@@ -12,7 +12,7 @@ use crate::language;
 use crate::programs::LANGUAGES;
 use rfd::FileDialog;
 
-use crate::text::{Template, capital, spoken};
+use crate::text::{Template, spoken};
 
 /// Asks the user for a file of one of these kinds, beside this one.
 fn pick(near: Option<&Path>, title: &str, kinds: &[(&str, &[&str])]) -> Option<PathBuf> {
@@ -58,8 +58,7 @@ pub(crate) fn choose_reference(near: Option<&Path>) -> Option<PathBuf> {
 
 /// Asks the user for a picture for the head of a report.
 pub(crate) fn choose_logo(near: Option<&Path>) -> Option<PathBuf> {
-    let dialog = dialog_beside(near).set_title(say!("Logo"));
-    of_kind(dialog, say!("Picture"), &["png"]).pick_file()
+    pick(near, say!("Logo"), &[(say!("Picture"), &["png"])])
 }
 
 /// Asks the user for a file that an instrument wrote.
@@ -101,46 +100,31 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
     let dialog = dialog_beside(Some(path)).set_file_name(name);
     let dialog = dialog.set_title(what.title());
     let ending = path.extension().and_then(|ending| ending.to_str());
-    let table = capital(say!("table"));
-    let dialog = match what {
-        What::Report(_) => {
-            let dialog = of_kind(dialog, say!("Report"), &["html", "pdf"]);
-            of_kind(dialog, say!("Report"), &["pdf"])
-        }
-        What::Picture(plot) => of_kind(dialog, say!("Picture"), &[plot.ending()]),
-        What::Session => of_kind(dialog, say!("Session"), &["json"]),
-        What::Model => of_kind(dialog, say!("Model"), &["json"]),
-        What::Robot(_) | What::TypedRobot => of_kind(dialog, &capital(say!("robot")), &["json"]),
-        What::Poses => of_kind(dialog, &table, &["csv"]),
-        What::Table => of_kind(dialog, &table, ending.as_slice()),
-        What::Targets => of_kind(dialog, say!("Targets"), ending.as_slice()),
+    let endings: &[&str] = match what {
+        What::Report(_) => &["html", "pdf"],
+        _ => ending.as_slice(),
     };
+    let dialog = of_kind(dialog, what.title(), endings);
     dialog.save_file()
 }
 
-/// What opens a file with the system's program for it, or shows it in its folder. The path is one
-/// argument: no shell reads it.
-fn command(path: &Path, in_folder: bool) -> Command {
-    let (program, select) = match std::env::consts::OS {
-        "windows" => ("explorer", Some("/select,")),
-        "macos" => ("open", Some("-R")),
-        _ => ("xdg-open", None),
-    };
-    let mut command = Command::new(program);
-    match select {
-        _ if !in_folder => command.arg(path),
-        Some(select) => command.arg(select).arg(path),
-        None => command.arg(path.parent().unwrap_or(path)),
-    };
+/// What opens a file, or a folder, with the system's program for it. The path is one argument: no shell reads it.
+fn command(path: &Path) -> Command {
+    let mut command = Command::new(match std::env::consts::OS {
+        "windows" => "explorer",
+        "macos" => "open",
+        _ => "xdg-open",
+    });
+    command.arg(path);
     command
 }
 
-/// Opens a file with the system's program for it, or shows it in its folder. Takes its time.
+/// Opens a file, or a folder, with the system's program for it. Takes its time.
 ///
 /// # Errors
 /// The system has no program for it, in words.
-pub(crate) fn open_outside(path: &Path, in_folder: bool) -> Result<(), String> {
-    let mut command = command(path, in_folder);
+pub(crate) fn open_outside(path: &Path) -> Result<(), String> {
+    let mut command = command(path);
     let quiet = command.stdin(Stdio::null()).stdout(Stdio::null());
     match quiet.stderr(Stdio::null()).status() {
         // The explorer answers 1 although it has opened.
@@ -206,12 +190,10 @@ mod tests {
     #[test]
     fn a_path_is_one_argument_whatever_is_in_it() {
         let path = Path::new("/tmp/a b; rm -rf $HOME & 'c'.html");
-        for in_folder in [false, true] {
-            let command = command(path, in_folder);
-            let last = command.get_args().last().expect("the path");
-            assert!(last == path.as_os_str() || last == "/tmp", "{last:?}");
-            let program = command.get_program().to_string_lossy().into_owned();
-            assert!(["xdg-open", "open", "explorer"].contains(&&*program));
-        }
+        let command = command(path);
+        let all: Vec<_> = command.get_args().collect();
+        assert_eq!(all, [path.as_os_str()]);
+        let program = command.get_program().to_string_lossy().into_owned();
+        assert!(["xdg-open", "open", "explorer"].contains(&&*program));
     }
 }

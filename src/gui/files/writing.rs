@@ -1,5 +1,6 @@
 //! Writing sessions, tables, models, lists and pictures, whole or not at all.
 
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -114,7 +115,7 @@ pub(crate) fn write(
 ) -> Message {
     let write = || {
         // Nothing is worked out for a file that cannot be written.
-        can_be_written(path, replace, inputs)?;
+        can_be_written(path, replace, inputs).map_err(|error| advice(&error))?;
         let (documents, details) = make(path, watch)?;
         write_all(&documents, path, replace, watch)?;
         Ok(details)
@@ -168,9 +169,6 @@ fn write_all(
     };
     let places = documents.iter().enumerate();
     let places: Vec<PathBuf> = places.map(|(k, d)| place(k, d)).collect();
-    if let Some(there) = places.iter().find(|place| !replace && place.exists()) {
-        return Err(advice(&WriteError::Exists(there.clone())));
-    }
     // All of them are on the disk before the first has its name.
     let write = |(place, document): (&PathBuf, &Document)| {
         StagedFile::write(place, replace, |file| file.write_all(&document.bytes))
@@ -204,22 +202,18 @@ pub(crate) fn targets(compensated: &Compensated, path: &Path) -> Made {
 }
 
 /// Whether a file may stand there: told before the work that it takes is begun.
-fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> Result<(), String> {
+fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> Result<(), WriteError> {
     let inputs: Vec<&Path> = inputs.iter().map(PathBuf::as_path).collect();
-    refuse_to_replace_inputs(path, &inputs).map_err(|error| advice(&error))?;
-    if path.exists() && !path.is_file() {
-        return Err(advice(&WriteError::NotAFile(path.to_path_buf())));
-    }
-    if path.exists() && !replace {
-        return Err(advice(&WriteError::Exists(path.to_path_buf())));
+    refuse_to_replace_inputs(path, &inputs)?;
+    if path.is_file() && !replace {
+        return Err(WriteError::Exists(path.to_path_buf()));
     }
     let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
-    match folder {
-        Some(folder) if !folder.is_dir() => {
-            Err(say!("folder not found: choose another, or create it first").to_owned())
-        }
-        _ => Ok(()),
+    if folder.is_some_and(|folder| !folder.is_dir()) {
+        let (path, source) = (path.to_path_buf(), ErrorKind::NotFound.into());
+        return Err(WriteError::Io { path, source });
     }
+    Ok(())
 }
 
 /// Says that a file was not written.
@@ -274,26 +268,21 @@ pub(crate) enum Source {
     Model(Arc<IdentifiedAnswer>),
 }
 
-/// A report to be written.
-#[derive(Debug, Clone)]
-pub(crate) struct ReportRequest {
-    /// Where it comes from.
-    pub(crate) source: Source,
-    /// What the certificate states besides its measurements.
-    pub(crate) stated: Stated,
-    /// Tables that were exported from this session.
-    pub(crate) tables: Vec<PathBuf>,
-}
-
-/// The report.
-pub(crate) fn report(wanted: &ReportRequest, path: &Path, watch: &Watch) -> Made {
+/// The report: what the certificate states besides its measurements, and the tables that were exported from this
+/// session.
+pub(crate) fn report(
+    source: &Source,
+    (stated, tables): (&Stated, &[PathBuf]),
+    path: &Path,
+    watch: &Watch,
+) -> Made {
     let mut details = Vec::new();
     let kind = Kind::of(path).map_err(spoken)?;
     let extras = Extras {
-        details: wanted.stated.complete()?,
-        tables: named_tables(&wanted.tables, &mut details),
+        details: stated.complete()?,
+        tables: named_tables(tables, &mut details),
     };
-    let report = match &wanted.source {
+    let report = match source {
         Source::Model(outcome) => pipeline::report_of_model(&*outcome.handed_out()?, &extras),
         Source::Session(document, searched, in_use) => {
             let session = document.session_to_save();
@@ -353,16 +342,10 @@ mod tests {
     use super::*;
     use crate::gui::files::first_example;
 
-    fn wanted() -> ReportRequest {
-        ReportRequest {
-            source: Source::Session(
-                Arc::new(document::Document::new(first_example())),
-                None,
-                None,
-            ),
-            stated: Stated::default(),
-            tables: Vec::new(),
-        }
+    fn report(path: &Path, watch: &Watch) -> Made {
+        let document = document::Document::new(first_example());
+        let source = Source::Session(Arc::new(document), None, None);
+        super::report(&source, (&Stated::default(), &[]), path, watch)
     }
 
     fn files_in(folder: &Path) -> usize {
@@ -374,8 +357,13 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let watch = Watch::default();
         watch.stop();
-        let make = |path: &Path, watch: &Watch| report(&wanted(), path, watch);
-        write(make, &folder.path().join("report.pdf"), false, &[], &watch);
+        write(
+            report,
+            &folder.path().join("report.pdf"),
+            false,
+            &[],
+            &watch,
+        );
         assert_eq!(files_in(folder.path()), 0);
     }
 
@@ -404,8 +392,7 @@ mod tests {
             ("not there/report.pdf", "folder not found"),
         ] {
             let watch = Watch::default();
-            let make = |path: &Path, watch: &Watch| report(&wanted(), path, watch);
-            let message = write(make, &folder.path().join(name), false, &[], &watch);
+            let message = write(report, &folder.path().join(name), false, &[], &watch);
             assert!(
                 message.wrong && message.details[0].contains(says),
                 "{message:?}"

@@ -133,8 +133,6 @@ pub(crate) struct ViewState {
     pub(crate) results: Option<bool>,
     /// Units, digits, colours, size of text.
     pub(crate) preferences: Preferences,
-    /// An open file that is not what it was.
-    pub(crate) on_disk: Option<OnDisk>,
     /// The sheet over the window.
     pub(crate) sheet: Option<Sheet>,
     /// Whether the window may close although something is not saved.
@@ -525,25 +523,6 @@ impl Preferences {
         Notation {
             decimals: self.decimals,
             comma: self.comma.unwrap_or(current() == Language::German),
-        }
-    }
-
-    /// The unit of lengths behind this one.
-    pub(crate) fn next_length(&self) -> LengthUnit {
-        match self.length {
-            LengthUnit::Millimetre => LengthUnit::Micrometre,
-            LengthUnit::Micrometre => LengthUnit::Inch,
-            LengthUnit::Inch => LengthUnit::Millimetre,
-        }
-    }
-
-    /// The unit of angles behind this one.
-    pub(crate) fn next_angle(&self) -> AngleUnit {
-        match self.angle {
-            AngleUnit::Degree => AngleUnit::Radian,
-            AngleUnit::Radian => AngleUnit::Milliradian,
-            AngleUnit::Milliradian => AngleUnit::ArcSecond,
-            AngleUnit::ArcSecond => AngleUnit::Degree,
         }
     }
 

@@ -1,75 +1,39 @@
 //! What is copied from the window: tables as text for a spreadsheet (tabs between the columns, full
 //! digits, the decimal sign that the user chose).
 
-use std::time::Duration;
+use egui::{Button, RichText, Ui, vec2};
 
-use egui::{Button, Context, Id, Popup, PopupKind, RichText, Ui, vec2};
-
-use crate::diagnosis::{Detectability, Diagnosis};
+use crate::diagnosis::Diagnosis;
 use crate::effects::find;
 use crate::fit::{Estimate, RegionResult};
 use crate::gui::charts::ChartKind;
 use crate::gui::style::space;
+use crate::gui::view::Message;
 use crate::gui::widgets::{self, Buttons, Does, Forms};
 use crate::gui::workbench::Workbench;
-use crate::present::limits::sight;
 use crate::present::names::parameter_in_english as parameter;
 use crate::present::table::{Cell, Table};
 use crate::units::deg_from_rad;
 
 /// A button that copies a table.
-pub(super) fn button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
+pub(super) fn button(ui: &mut Ui, workbench: &Workbench, of: &str, text: impl FnOnce() -> String) {
     ui.add_space(space::TIGHT);
-    let id = ui.scope_id().with(("copied", of));
-    let (says, name) = if is_recent(ui.ctx(), id) {
-        (say!("Copied"), format!("{}: {of}", say!("Copied")))
-    } else {
-        (say!("Copy table"), say!("Copy table of {of}", of))
-    };
-    // Higher than the rows of a dense table: it is pressed, not read. As wide as its longest text.
-    let button = Button::new(RichText::new(says).small()).min_size(vec2(78.0, 22.0));
-    if ui.named(name, button).clicked() {
-        copy(ui.ctx(), id, text());
+    // Higher than the rows of a dense table: it is pressed, not read.
+    let button = Button::new(RichText::new(say!("Copy table")).small()).min_size(vec2(78.0, 22.0));
+    if ui.named(say!("Copy table of {of}", of), button).clicked() {
+        ui.copy_text(text());
+        let says = format!("{}: {of}", say!("Copied"));
+        workbench.then(|bench| bench.view.message = Some(Message::done(says, Vec::new())));
     }
-}
-
-/// How long a copy says that it was made, s.
-const SAID: f64 = 2.0;
-
-fn copy(ctx: &Context, id: Id, text: String) {
-    ctx.copy_text(text);
-    let now = ctx.input(|input| input.time);
-    ctx.data_mut(|data| data.insert_temp(id, now));
-    ctx.request_repaint();
-}
-
-/// Whether this was copied a moment ago.
-fn is_recent(ctx: &Context, id: Id) -> bool {
-    let copied: Option<f64> = ctx.data(|data| data.get_temp(id));
-    let now = ctx.input(|input| input.time);
-    let left = copied.map(|copied| copied + SAID - now);
-    let left = left.filter(|left| (0.0..=SAID).contains(left));
-    if let Some(left) = left {
-        ctx.request_repaint_after(Duration::from_secs_f64(left));
-    }
-    left.is_some()
 }
 
 /// The mark in a chart's bar that copies its numbers, once they are made in the background.
 pub(super) fn chart_button(ui: &mut Ui, kind: &ChartKind, workbench: &Workbench) {
     let (chart, ctx) = (kind.id, ui.ctx().clone());
-    let id = Id::unique("copied").with(chart);
     let says = say!("Copy numbers: {of}", of = kind.name().to_lowercase());
     let button = ui.icon_button(widgets::COPY, &says).on_hover_text(&says);
-    if is_recent(&ctx, id) {
-        // What lies beneath it can be clicked all the same.
-        Popup::from_response(&button)
-            .kind(PopupKind::Tooltip)
-            .interactable(false)
-            .show(|ui| ui.label(say!("Copied")));
-    }
     button.does(workbench, move |bench| {
-        bench.copy_numbers(chart, move |text| copy(&ctx, id, text));
+        bench.copy_numbers(chart, move |text| ctx.copy_text(text));
     });
 }
 
@@ -125,25 +89,6 @@ pub(super) fn found(d: &Diagnosis) -> String {
             cells.extend(odds.into_iter().chain(found.gap_mm).map(Cell::from));
             cells.extend(ends(found.held_out_mm));
             table.rows.push(cells);
-        }
-    }
-    table.tabbed()
-}
-
-/// How large each effect could be without having been seen; an empty size was not to be seen at all.
-pub(super) fn limits(d: &Diagnosis) -> String {
-    let mut table = Table::headed("effect | joint | parameter | detection limit (95 %) | unit");
-    for limit in &d.not_found {
-        for (full, size) in &limit.sizes {
-            let (name, unit) = parameter(full);
-            let size = match sight(limit.effect, full, *size) {
-                Detectability::Above(size) => Some(size),
-                Detectability::AtAnySize => Some(0.0),
-                Detectability::AtNoSize => None,
-            };
-            let joint = limit.joint.map(|joint| joint + 1);
-            let effect = Cell::from(effect_title(limit.effect));
-            table.row([effect, joint.into(), name.into(), size.into(), unit.into()]);
         }
     }
     table.tabbed()

@@ -68,13 +68,8 @@ fn reports(ui: &mut Ui, workbench: &Workbench) {
         }
     }
     if identified {
-        let text = if measured {
-            widgets::dots(say!("Report of the model"))
-        } else {
-            widgets::dots(say!("Report"))
-        };
         let what = What::Report(About::Model);
-        let report = ui.secondary(&text);
+        let report = ui.secondary(&widgets::dots(say!("Report of the model")));
         report.does(workbench, move |bench| bench.choose_where_to_export(what));
     }
 }
@@ -348,12 +343,12 @@ fn standards(ui: &mut Ui, workbench: &Workbench) {
         match workbench.figures() {
             None => ui.hint(say!("Computing…")),
             Some(Err(because)) => ui.hint(because),
-            Some(Ok(made)) => tables(ui, made),
+            Some(Ok(made)) => tables(ui, workbench, made),
         }
     });
 }
 
-fn tables(ui: &mut Ui, made: &StandardsFigures) {
+fn tables(ui: &mut Ui, workbench: &Workbench, made: &StandardsFigures) {
     let sections = explain::standards(&made.standards, 1);
     let tables = || sections.iter().flat_map(|section| &section.blocks);
     let table = |block: &Block| match block {
@@ -361,7 +356,9 @@ fn tables(ui: &mut Ui, made: &StandardsFigures) {
         _ => None,
     };
     if tables().any(|block| table(block).is_some()) {
-        copies::button(ui, say!("figures"), || tables().filter_map(table).collect());
+        copies::button(ui, workbench, say!("figures"), || {
+            tables().filter_map(table).collect()
+        });
     }
     for section in &sections {
         ui.section(&section.title);

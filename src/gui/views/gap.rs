@@ -179,7 +179,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     for section in sections.iter() {
         match section.topic {
             Topic::NotIdentifiable | Topic::Limits | Topic::NotTestable => {
-                in_small(ui, section, d);
+                in_small(ui, section);
             }
             _ => {
                 widgets::card(ui, |ui| {
@@ -198,7 +198,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
                 blocks::mend_all(ui, &d.data_problems, workbench);
             }
             Topic::Found(index) if index + 1 == d.found.len() => {
-                copies::button(ui, say!("found effects"), || copies::found(d));
+                copies::button(ui, workbench, say!("found effects"), || copies::found(d));
             }
             _ => {}
         }
@@ -238,12 +238,9 @@ fn buttons(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, section: &Section)
 }
 
 /// What is looked up once in a while, folded below its title.
-fn in_small(ui: &mut Ui, section: &Section, d: &Diagnosis) {
+fn in_small(ui: &mut Ui, section: &Section) {
     ui.folded(&section.title, |ui| {
         blocks::show(ui, &section.blocks);
-        if section.topic == Topic::Limits {
-            copies::button(ui, say!("detection limits"), || copies::limits(d));
-        }
     });
 }
 

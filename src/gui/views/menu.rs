@@ -1,11 +1,14 @@
 //! The bar at the top: menus, the session's name, undo and redo.
 
 use egui::containers::menu::MenuButton;
-use egui::{Align, Button, FontId, Label, Layout, MenuBar, Popup, RichText, ScrollArea, Ui};
+use egui::{Align, Label, Layout, MenuBar, RichText, ScrollArea, Ui};
 
-use crate::gui::actions::{self, Action, OPEN_EXAMPLE, OPEN_LATEST};
+use crate::gui::actions::{self, Action, OPEN_EXAMPLE, STEPS};
+use crate::gui::actions::{ABOUT, CANCEL, COMPENSATE, EXCLUDE, FIT, IDENTIFY, IMPORT, LOOK_AROUND};
+use crate::gui::actions::{LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEW, OPEN, PREFERENCES, QUIT};
+use crate::gui::actions::{REDO, RELOAD, REPORT, REPORT_DETAILS, RESULTS, ROBOTS, SAVE, SAVE_AS};
+use crate::gui::actions::{SAVE_MODEL, SAVE_TABLE, SAVE_TO_PATH, SEARCH, UNDO, WORDS};
 use crate::gui::core::disk::{EXAMPLES, name_of};
-use crate::gui::core::loaded_session::Origin;
 use crate::gui::style::{Palette, size, space, strong};
 use crate::gui::widgets::{self, Buttons, Does};
 use crate::gui::workbench::Workbench;
@@ -14,11 +17,11 @@ use crate::text::{capital, spoken};
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
 
+/// Width of a menu's items, points.
+const WIDE: f32 = 260.0;
+
 /// Between a menu's items and its header and the window's edge, together, points.
 const AROUND_MENU: f32 = 24.0;
-
-/// With less room it is not said where the session comes from, points.
-const LEAST_ORIGIN: f32 = 80.0;
 
 /// Room for the buttons at the right, points.
 const BUTTONS: f32 = 190.0;
@@ -43,9 +46,13 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
         let menus = ui.allocate_ui(egui::vec2(MENUS, ui.available_height()), |ui| {
             MenuBar::new().ui(ui, |ui| {
                 header(ui, &capital(say!("file")), |ui| file(ui, workbench));
-                header(ui, say!("Edit"), |ui| edit(ui, workbench));
-                header(ui, say!("View"), |ui| view(ui, workbench));
-                header(ui, say!("Help"), |ui| help(ui, workbench));
+                header(ui, say!("Edit"), |ui| groups(ui, workbench, EDIT));
+                header(ui, say!("View"), |ui| {
+                    groups(ui, workbench, &[&STEPS[..workbench.steps().len()]]);
+                    ui.separator();
+                    groups(ui, workbench, VIEW);
+                });
+                header(ui, say!("Help"), |ui| groups(ui, workbench, HELP));
             });
         });
         // The session's name stands over the plots, which are its own, and leaves room for the
@@ -62,11 +69,15 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
         let left = Layout::left_to_right(Align::Center);
         ui.allocate_ui_with_layout(egui::vec2(width, high), left, |ui| name(ui, workbench));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            actions::REDO.sign(ui, workbench, widgets::REDO);
-            actions::UNDO.sign(ui, workbench, widgets::UNDO);
+            REDO.sign(ui, workbench, widgets::REDO);
+            UNDO.sign(ui, workbench, widgets::UNDO);
             ui.add_space(space::ROW);
-            let open = actions::layout(ui.ctx(), workbench).results();
-            let says = actions::results_says(open);
+            let open = room.results();
+            let says = if open {
+                say!("Hide results")
+            } else {
+                say!("Show results")
+            };
             let side = widgets::icon(widgets::SIDE);
             let button = if open {
                 ui.bare_button(side, says)
@@ -82,38 +93,19 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     });
 }
 
+/// The session's name, and what its file and its model are called.
 fn name(ui: &mut Ui, workbench: &Workbench) {
-    let loaded_session = workbench.loaded_session();
-    let title = RichText::new(&loaded_session.session.name).font(strong(size::BODY));
-    let title = ui.add(Label::new(title).truncate());
-    let origin = match (workbench.file(), &loaded_session.origin) {
-        (Some(path), _) => name_of(path).into_owned(),
-        (None, Origin::Bundled) => say!("example").to_owned(),
-        (None, Origin::Simulated) => say!("simulated").to_owned(),
-        (None, Origin::Recovered(_)) => say!("restored").to_owned(),
-        (None, Origin::Imported(path)) => say!("from {path}", path = name_of(path)),
-        (None, Origin::File(path) | Origin::Model(path)) => name_of(path).into_owned(),
-    };
-    let model = |name: String| say!("model {name}", name);
-    let mut parts = match (&workbench.document().loaded_model, &loaded_session.origin) {
-        (Some(_), Origin::Model(_)) => vec![model(origin)],
-        (Some(given), _) => vec![origin, model(given.file_name())],
-        (None, _) => vec![origin],
-    };
+    let title = RichText::new(&workbench.loaded_session().session.name);
+    ui.add(Label::new(title.font(strong(size::BODY))).truncate());
+    let file = workbench.file().or(workbench.came_from());
+    let mut parts = Vec::from_iter(file.map(|path| name_of(path).into_owned()));
+    let model = workbench.document().loaded_model.as_ref();
+    parts.extend(model.map(|given| say!("model {name}", name = given.file_name())));
     if workbench.unsaved() {
         parts.push(say!("not saved").to_owned());
     }
-    let says = parts.join(" · ");
-    let font = FontId::proportional(size::SMALL);
-    let wide = widgets::width_of(ui, &says, font);
-    // Of a short name a few letters would say nothing.
-    let room = ui.available_width();
-    if wide <= room || room > LEAST_ORIGIN {
-        let says = RichText::new(says).small().weak();
-        ui.add(Label::new(says).truncate());
-    } else {
-        title.on_hover_text(says);
-    }
+    let says = RichText::new(parts.join(" · ")).small().weak();
+    ui.add(Label::new(says).truncate());
 }
 
 /// Things to do, one below the other, in groups.
@@ -128,47 +120,40 @@ fn groups(ui: &mut Ui, workbench: &Workbench, groups: &[&[Action]]) {
     }
 }
 
-/// A click so soon after the pointer has opened a menu is meant to open it, seconds.
-const SOON_S: f64 = 2.0;
-
-/// A header of the bar. While one menu is open the pointer opens the others; a click that comes with the pointer does
-/// not close again what the pointer has just opened.
+/// A header of the bar. In a low window, or with large text, a menu is higher than what is below its header.
 fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
-    // In a low window, or with large text, a menu is higher than what is below its header.
     let high = ui.ctx().content_rect().bottom() - ui.max_rect().bottom() - AROUND_MENU;
-    let (response, shown) = MenuButton::new(name).ui(ui, |ui| {
+    MenuButton::new(name).ui(ui, |ui| {
         let scroll = ScrollArea::vertical().max_height(high);
         scroll.min_scrolled_height(high).show(ui, |ui| {
+            ui.set_min_width(WIDE);
             contents(ui);
             widgets::focus_in_sight(ui);
         });
     });
-    let (id, now) = (
-        Popup::default_response_id(&response),
-        ui.input(|input| input.time),
-    );
-    let since: Option<f64> = ui.data(|data| data.get_temp(id));
-    if response.clicked() && since.is_some_and(|since| now - since <= SOON_S) {
-        Popup::open_id(ui.ctx(), id);
-        ui.ctx().request_repaint();
-    } else if shown.is_none() {
-        ui.data_mut(|data| data.remove::<f64>(id));
-    } else if since.is_none() {
-        // What a click has opened another closes.
-        let since = if response.clicked() {
-            f64::NEG_INFINITY
-        } else {
-            now
-        };
-        ui.data_mut(|data| data.insert_temp(id, since));
-    }
 }
 
+const FILE: &[&[Action]] = &[
+    &[IMPORT, NEW, ROBOTS],
+    &[SAVE, SAVE_AS, SAVE_TO_PATH],
+    &[SAVE_MODEL, SAVE_TABLE, COMPENSATE, REPORT_DETAILS, REPORT],
+    &[RELOAD],
+    &[QUIT],
+];
+const EDIT: &[&[Action]] = &[
+    &[UNDO, REDO],
+    &[EXCLUDE],
+    &[IDENTIFY, SEARCH, CANCEL],
+    &[PREFERENCES],
+];
+const VIEW: &[&[Action]] = &[
+    &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE, FIT],
+    &[RESULTS],
+];
+const HELP: &[&[Action]] = &[&[WORDS, ABOUT]];
+
 fn file(ui: &mut Ui, workbench: &Workbench) {
-    use actions::{COMPENSATE, IMPORT, NEW, QUIT, RELOAD, REPORT, REPORT_DETAILS, ROBOTS};
-    use actions::{SAVE, SAVE_AS, SAVE_MODEL, SAVE_TABLE, SAVE_TO_PATH};
-    ui.set_min_width(260.0);
-    actions::OPEN.item(ui, workbench);
+    OPEN.item(ui, workbench);
     recent(ui, workbench);
     ui.menu_button(say!("Examples"), |ui| {
         for (action, example) in OPEN_EXAMPLE.iter().zip(&EXAMPLES) {
@@ -176,67 +161,20 @@ fn file(ui: &mut Ui, workbench: &Workbench) {
             item.on_hover_text(spoken(example.what));
         }
     });
-    let all: [&[Action]; 5] = [
-        &[IMPORT, NEW, ROBOTS],
-        &[SAVE, SAVE_AS, SAVE_TO_PATH],
-        &[SAVE_MODEL, SAVE_TABLE, COMPENSATE, REPORT_DETAILS, REPORT],
-        &[RELOAD],
-        &[QUIT],
-    ];
-    groups(ui, workbench, &all);
+    groups(ui, workbench, FILE);
 }
 
 fn recent(ui: &mut Ui, workbench: &Workbench) {
-    let mut recent = workbench.recent().peekable();
-    if recent.peek().is_none() {
-        ui.add_enabled(false, Button::new(say!("Recent files")));
-        return;
-    }
-    ui.menu_button(say!("Recent files"), |ui| {
-        for (k, path) in recent.enumerate() {
-            let name = name_of(path);
-            let keys = if k == 0 {
-                OPEN_LATEST.keys(ui.ctx())
-            } else {
-                String::new()
-            };
-            let button = Button::new(name.clone()).shortcut_text(keys);
-            let button = actions::item(ui, button, &name, true);
-            if button.on_hover_text(path.display().to_string()).clicked() {
-                let path = path.clone();
-                workbench.then(move |bench| bench.open_file(path));
-                ui.close();
+    let recent: Vec<_> = workbench.recent().cloned().collect();
+    ui.add_enabled_ui(!recent.is_empty(), |ui| {
+        ui.menu_button(say!("Recent files"), |ui| {
+            for path in recent {
+                let item = ui.button(name_of(&path));
+                if item.on_hover_text(path.display().to_string()).clicked() {
+                    workbench.then(move |bench| bench.open_file(path));
+                    ui.close();
+                }
             }
-        }
+        });
     });
-}
-
-fn edit(ui: &mut Ui, workbench: &Workbench) {
-    use actions::{CANCEL, EXCLUDE, IDENTIFY, PREFERENCES, REDO, SEARCH, UNDO};
-    ui.set_min_width(240.0);
-    let all: [&[Action]; 4] = [
-        &[UNDO, REDO],
-        &[EXCLUDE],
-        &[IDENTIFY, SEARCH, CANCEL],
-        &[PREFERENCES],
-    ];
-    groups(ui, workbench, &all);
-}
-
-fn view(ui: &mut Ui, workbench: &Workbench) {
-    use actions::{FIT, LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE};
-    use actions::{NEXT_LENGTH, OTHER_THEME, RESULTS, STEPS};
-    ui.set_min_width(260.0);
-    let all: [&[Action]; 4] = [
-        &STEPS[..workbench.steps().len()],
-        &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE, FIT],
-        &[RESULTS],
-        &[NEXT_LENGTH, NEXT_ANGLE, OTHER_THEME],
-    ];
-    groups(ui, workbench, &all);
-}
-
-fn help(ui: &mut Ui, workbench: &Workbench) {
-    ui.set_min_width(240.0);
-    groups(ui, workbench, &[&[actions::WORDS, actions::ABOUT]]);
 }

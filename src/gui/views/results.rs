@@ -158,7 +158,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     if intervals {
         ui.hint(say!("± half the 95 % interval"));
     }
-    copies::button(ui, say!("regions"), || copies::regions(results));
+    copies::button(ui, workbench, say!("regions"), || copies::regions(results));
 }
 
 fn remarks(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
@@ -278,7 +278,9 @@ fn parameters(ui: &mut Ui, workbench: &Workbench, estimates: &[Estimate]) {
     if robot.joints.len() < 2 {
         ui.hint(say!("± half the 95 % interval"));
     }
-    copies::button(ui, say!("parameters"), || copies::parameters(estimates));
+    copies::button(ui, workbench, say!("parameters"), || {
+        copies::parameters(estimates)
+    });
 }
 
 // What is known before anything is identified.

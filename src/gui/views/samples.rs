@@ -33,7 +33,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let order = workbench.order();
     let place = |sample: usize| order.as_ref()?.iter().position(|s| *s as usize == sample);
     let brought = brought(ui, workbench);
-    copies::button(ui, say!("samples"), || copies::samples(workbench));
+    copies::button(ui, workbench, say!("samples"), || {
+        copies::samples(workbench)
+    });
     let between = 4.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
     let wide = (ui.available_width() - NUMBER - MARK - between) / 3.0;
     let wide = wide.clamp(50.0, 96.0).floor();

@@ -1,11 +1,11 @@
 //! What the window says by itself: the bar at the bottom (where the work stands, what runs in the background), and
 //! notices over the results, above the bar, so that no plot is moved when one appears or is dismissed.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use egui::{
-    Align, Align2, Area, Button, CornerRadius, Frame, Id, Label, LayerId, Layout, Margin, Order,
-    RichText, Role, ScrollArea, Spinner, Ui, WidgetInfo, vec2,
+    Align, Align2, Area, Button, CornerRadius, Frame, Id, Label, Layout, Margin, Modal, RichText,
+    ScrollArea, Spinner, Ui, vec2,
 };
 
 use crate::diagnosis::FloorFrom;
@@ -13,8 +13,8 @@ use crate::present::numbers::grouped;
 
 use crate::gui::core::disk::{FileChange, name_of};
 use crate::gui::style::{Palette, size, space, strong};
-use crate::gui::view::{Message, What};
-use crate::gui::widgets::{self, Does};
+use crate::gui::view::{Message, OnDisk};
+use crate::gui::widgets::{self, Does, Forms};
 use crate::gui::workbench::Workbench;
 
 /// Where the work stands, in one line.
@@ -134,7 +134,7 @@ type Shown = (Message, f64);
 /// is done) and what becomes of files that are dropped on it. Notices lie over the results, above the
 /// status bar, so that no plot is moved when one appears or is dismissed.
 pub(crate) fn notices(ui: &Ui, workbench: &Workbench, room: widgets::Layout) {
-    let (message, on_disk) = (&workbench.view.message, &workbench.view.on_disk);
+    let (message, on_disk) = (&workbench.view.message, workbench.on_disk());
     if message.is_none() {
         // The same may be said again: it stands as long as the first time.
         ui.data_mut(|data| data.remove::<Shown>(Id::unique("notice")));
@@ -151,21 +151,19 @@ pub(crate) fn notices(ui: &Ui, workbench: &Workbench, room: widgets::Layout) {
     let area = area.anchor(Align2::RIGHT_BOTTOM, vec2(-EDGE, -STATUS - EDGE));
     let area = area.show(ctx, |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
-        let card = |ui: &mut Ui, contents: &mut dyn FnMut(&mut Ui)| {
-            let frame = Frame::popup(ui.style())
-                .corner_radius(CornerRadius::same(space::ROUND + 2))
-                .inner_margin(INSIDE);
-            frame.show(ui, |ui| {
+        let card = Frame::popup(ui.style())
+            .corner_radius(CornerRadius::same(space::ROUND + 2))
+            .inner_margin(INSIDE);
+        if let Some(on_disk) = on_disk {
+            card.show(ui, |ui| {
                 ui.set_width(wide);
-                ui.spacing_mut().item_spacing.y = space::TIGHT;
-                contents(ui);
+                file_that_changed(ui, workbench, on_disk);
             });
-        };
-        if on_disk.is_some() {
-            card(ui, &mut |ui| file_that_changed(ui, workbench));
         }
         if let Some(message) = message {
-            card(ui, &mut |ui| {
+            card.show(ui, |ui| {
+                ui.set_width(wide);
+                ui.spacing_mut().item_spacing.y = space::TIGHT;
                 // What is long scrolls; its buttons stay in sight.
                 let scroll = ScrollArea::vertical().max_height(high);
                 scroll.show(ui, |ui| body(ui, message));
@@ -218,14 +216,11 @@ fn body(ui: &mut Ui, message: &Message) {
 fn buttons(ui: &mut Ui, message: &Message, workbench: &Workbench) {
     if let Some(file) = &message.file {
         let name = name_of(file);
-        for (text, in_folder) in [(say!("Open"), false), (say!("Show in folder"), true)] {
-            let button = ui.add(Button::new(text));
-            let says = format!("{text}: {name}");
-            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &says));
-            if button.clicked() {
-                let path = file.clone();
-                workbench.then(move |bench| bench.open_outside(path, in_folder));
-            }
+        let folder = file.parent().unwrap_or(file);
+        for (text, path) in [(say!("Open"), &**file), (say!("Show in folder"), folder)] {
+            let (button, path) = (Button::new(text), path.to_path_buf());
+            ui.named(format!("{text}: {name}"), button)
+                .does(workbench, move |bench| bench.open_outside(path));
         }
     }
     ui.button(say!("Dismiss"))
@@ -233,11 +228,7 @@ fn buttons(ui: &mut Ui, message: &Message, workbench: &Workbench) {
 }
 
 /// An open file that is not what it was: said until the user decides.
-fn file_that_changed(ui: &mut Ui, workbench: &Workbench) {
-    let Some(on_disk) = &workbench.view.on_disk else {
-        return;
-    };
-    let palette = Palette::of(ui);
+fn file_that_changed(ui: &mut Ui, workbench: &Workbench, on_disk: &OnDisk) {
     let name = name_of(&on_disk.path);
     let (title, says) = match on_disk.change {
         FileChange::Changed => (
@@ -252,37 +243,17 @@ fn file_that_changed(ui: &mut Ui, workbench: &Workbench) {
         ),
     };
     let title = RichText::new(title).font(strong(size::BODY));
-    ui.add(Label::new(title.color(palette.warning)).wrap());
+    ui.add(Label::new(title.color(Palette::of(ui).warning)).wrap());
     ui.add(Label::new(RichText::new(says).size(size::NOTE)).wrap());
     ui.horizontal_wrapped(|ui| {
         match on_disk.change {
-            FileChange::Changed if ui.button(say!("Reload")).clicked() => {
-                workbench.then(Workbench::reload);
-            }
-            FileChange::Vanished => save_again(ui, workbench, &on_disk.path),
-            FileChange::Changed => {}
+            FileChange::Changed => ui.button(say!("Reload")).does(workbench, Workbench::reload),
+            FileChange::Vanished => ui
+                .button(say!("Save it again"))
+                .does(workbench, Workbench::save),
         }
         ui.button(say!("Keep this version"))
             .does(workbench, Workbench::keep_mine);
-    });
-}
-
-/// Offers to write what is gone. Where it is the samples the document still says where they belong;
-/// where it is the document the user has to.
-fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path) {
-    let beside = workbench.samples_file() == Some(gone);
-    let says = say!("Save it again");
-    let says = if beside {
-        says.to_owned()
-    } else {
-        widgets::dots(says)
-    };
-    ui.button(says).does(workbench, move |bench| {
-        if beside {
-            bench.save();
-        } else {
-            bench.choose_where_to_export(What::Session);
-        }
     });
 }
 
@@ -297,19 +268,7 @@ pub(crate) fn dropped(ui: &Ui, workbench: &Workbench) {
         workbench.then(move |bench| bench.drop_files(paths));
     }
     if held {
-        let palette = Palette::of(ui);
-        let layer = LayerId::new(Order::Foreground, Id::unique("dropped"));
-        let painter = ui.ctx().layer_painter(layer);
-        let rect = ui.ctx().content_rect();
-        painter.rect_filled(rect, 0.0, palette.veil);
-        let card = egui::Rect::from_center_size(rect.center(), egui::vec2(320.0, 88.0));
-        painter.rect_filled(card, 10.0, palette.surface);
-        painter.text(
-            card.center(),
-            Align2::CENTER_CENTER,
-            say!("Drop the file to open it"),
-            strong(size::HEADING),
-            palette.accent,
-        );
+        let sheet = Modal::new(Id::unique("dropped")).backdrop_color(Palette::of(ui).veil);
+        sheet.show(ui.ctx(), |ui| ui.heading(say!("Drop the file to open it")));
     }
 }

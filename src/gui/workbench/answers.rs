@@ -25,6 +25,9 @@ use crate::gui::workbench::{Derived, Workbench};
 use crate::present::numbers::{grouped, notation, write_numbers};
 use crate::text::current;
 
+/// Not shown, and not cancelled.
+pub(super) const QUIETLY: (Kind, &str) = (Kind::Quiet, "");
+
 impl Workbench {
     /// Whether a model can be held against the open session: both are of the same robot. The
     /// session that the window began with counts only where the model came from it.
@@ -85,17 +88,13 @@ impl Workbench {
     /// of its own, and the nominal robot was not seen from there: then deviations before are mostly
     /// those of the frame.
     pub(crate) fn found_base(&self) -> Option<Isometry3<f64>> {
+        /// Part of the workspace that is far.
+        const FAR: f64 = 0.05;
         if self.loaded_session().base.is_some() {
             return None;
         }
-        let model = &self.answer()?.calibration.model;
-        measuring_from_base(model, self.far_mm())
-    }
-
-    fn far_mm(&self) -> f64 {
-        /// Part of the workspace.
-        const FAR: f64 = 0.05;
-        FAR * self.loaded_session().overview.reach_mm
+        let reach_mm = self.loaded_session().overview.reach_mm;
+        measuring_from_base(&self.answer()?.calibration.model, FAR * reach_mm)
     }
 
     /// Where the base is drawn in the measuring frame: in space where the session's setups put it, or
@@ -162,7 +161,7 @@ impl Workbench {
     pub(crate) fn exported(&self) -> impl DoubleEndedIterator<Item = &PathBuf> {
         let shown = self.question();
         let all = self.file_state.exported.iter();
-        all.filter_map(move |(path, of)| (*of == shown).then_some(path))
+        all.filter_map(move |one| (shown.as_ref() == Some(&one.of)).then_some(&one.path))
     }
 
     /// Whether the identification was cancelled: it is not repeated by itself.
@@ -230,7 +229,22 @@ impl Workbench {
             self.view.message = replaced.then(|| Message::done(title, Vec::new()));
             self.identify(Some(Method::Exact));
         }
-        self.search_in(Arc::clone(self.loaded_session()));
+        if self.searching().is_some() {
+            return;
+        }
+        let session = Arc::clone(self.loaded_session());
+        self.derived.stopped = None;
+        self.derived.searching = Some(Arc::clone(&session));
+        self.jobs.start(
+            Kind::Searches,
+            say!("Diagnosis is running"),
+            move |watch| Search::of(session, watch),
+            // What is in the model may be just what was found, with the search's values.
+            |bench: &mut Self, search| {
+                bench.derived.searching = None;
+                bench.derived.searched = Some(Arc::new(search));
+            },
+        );
     }
 
     /// Prepares the export whose preparation was cancelled.
@@ -245,13 +259,10 @@ impl Workbench {
         let Some(outcome) = self.shown_outcome().filter(|_| shown) else {
             return;
         };
-        let choice = self.document().export.clone();
-        let saved = self.file_state.saved_as.as_ref();
-        let saved = saved.filter(|(of, _)| *of == choice);
         let wanted = PreviewRequest {
             identified: outcome,
-            choice,
-            name: saved.map(|(_, name)| name.clone()),
+            choice: self.document().export.clone(),
+            name: self.saved_as(),
         };
         let how = (Kind::Prepares, say!("The table is being prepared"));
         self.derive(
@@ -301,7 +312,6 @@ impl Workbench {
 
     /// Asks for what the plots stand on, if it is not there and not on its way.
     pub(crate) fn keep_drawing(&mut self) {
-        const QUIETLY: (Kind, &str) = (Kind::Quiet, "");
         if self.shows_heat() {
             let of = (self.plot_inputs(), self.view.plane);
             self.derive(
@@ -349,7 +359,7 @@ impl Workbench {
     }
 
     /// Works something out in the background of this, where it is wanted and neither there nor on its way.
-    fn derive<K: PartialEq + Clone + Send + 'static, V: Send + 'static>(
+    pub(super) fn derive<K: PartialEq + Clone + Send + 'static, V: Send + 'static>(
         &mut self,
         (kind, says): (Kind, &str),
         slot: fn(&mut Derived) -> &mut Slot<K, V>,
@@ -365,8 +375,7 @@ impl Workbench {
         };
         self.jobs
             .start(kind, says, work, move |bench: &mut Self, (of, made)| {
-                let before = slot(&mut bench.derived).take(of, made);
-                bench.let_go(before);
+                slot(&mut bench.derived).take(of, made);
             });
     }
 

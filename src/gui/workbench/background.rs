@@ -5,12 +5,11 @@ use std::sync::Arc;
 
 use crate::gui::core::answer::Question;
 use crate::gui::core::document::ExportChoice;
-use crate::gui::core::loaded_session::LoadedSession;
-use crate::gui::core::search::Search;
 use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Kind, Running};
 use crate::gui::view::{Message, What};
 use crate::gui::workbench::Workbench;
+use crate::gui::workbench::exports::Exported;
 
 impl Workbench {
     /// The search that is under way.
@@ -34,25 +33,6 @@ impl Workbench {
                 });
             }
         }
-    }
-
-    /// Searches a session for what is missing, unless a search is under way.
-    pub(super) fn search_in(&mut self, loaded_session: Arc<LoadedSession>) {
-        if self.searching().is_some() {
-            return;
-        }
-        self.derived.stopped = None;
-        self.derived.searching = Some(Arc::clone(&loaded_session));
-        self.jobs.start(
-            Kind::Searches,
-            say!("Diagnosis is running"),
-            move |watch| Search::of(loaded_session, watch),
-            // What is in the model may be just what was found, with the search's values.
-            |bench: &mut Self, search| {
-                bench.derived.searching = None;
-                bench.derived.searched = Some(Arc::new(search));
-            },
-        );
     }
 
     /// Stops the search. The names that it had found until then stay in sight, and a diagnosis that was complete
@@ -110,17 +90,10 @@ impl Workbench {
                 self.derived.figures.decline();
                 self.derived.sketches.decline();
                 self.derived.chart.decline();
+                self.derived.on_disk.decline();
+                self.derived.recovery.decline();
             }
             _ => {}
-        }
-    }
-
-    /// Gives the memory of what was worked out before back elsewhere: with many samples that takes
-    /// longer than a frame may.
-    pub(super) fn let_go(&mut self, before: Option<impl Send + 'static>) {
-        const MANY: usize = 100_000;
-        if before.is_some() && self.loaded_session().len() > MANY {
-            self.jobs.quietly(move || drop(before), |_, ()| ());
         }
     }
 
@@ -139,19 +112,11 @@ impl Workbench {
     }
 
     /// A table or a model was written, of the answer to this question, or not.
-    pub(super) fn take_exported(
-        &mut self,
-        message: Message,
-        question: Option<Question>,
-        choice: ExportChoice,
-    ) {
+    pub(super) fn take_exported(&mut self, message: Message, of: Question, choice: ExportChoice) {
         if let Some(path) = message.file.clone() {
-            self.file_state.model_on_file.clone_from(&question);
-            if question == self.question() {
-                self.remember_name(&path, choice);
-            }
-            self.file_state.exported.retain(|(other, _)| *other != path);
-            self.file_state.exported.push((path, question));
+            let exported = &mut self.file_state.exported;
+            exported.retain(|other| other.path != path);
+            exported.push(Exported { path, of, choice });
         }
         self.take_written(message);
     }
@@ -167,10 +132,10 @@ impl Workbench {
         }
     }
 
-    /// Opens a file with the system's program for it, or shows it in its folder.
-    pub(crate) fn open_outside(&mut self, path: PathBuf, in_folder: bool) {
+    /// Opens a file, or a folder, with the system's program for it.
+    pub(crate) fn open_outside(&mut self, path: PathBuf) {
         self.jobs.quietly(
-            move || files::open_outside(&path, in_folder).map_err(|because| (path, because)),
+            move || files::open_outside(&path).map_err(|because| (path, because)),
             |bench: &mut Self, opened| {
                 if let Err((path, because)) = opened {
                     let title = say!("{path} was not opened", path = path.display());
@@ -204,22 +169,25 @@ impl Workbench {
 
     /// Asks for a file to open.
     pub(crate) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
-        self.choose_near(ask, |bench, path| match path {
-            Some(path) => bench.open_file(path),
-            // Cancelled, or there is no dialog on this system: the two look alike.
-            None => bench.view.message = Some(no_file_was_chosen()),
-        });
+        self.choose_near(ask, Self::open_file);
     }
 
     /// Asks for something beside the file in hand, or the latest.
     pub(super) fn choose_near(
         &mut self,
         ask: fn(Option<&Path>) -> Option<PathBuf>,
-        then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
+        then: impl FnOnce(&mut Self, PathBuf) + Send + 'static,
     ) {
         let near = self.file().map(Path::to_path_buf);
         let near = near.or_else(|| Some(self.recent().next()?.clone()));
-        self.choose(move || ask(near.as_deref()), then);
+        self.choose(move || ask(near.as_deref()), |bench, path| match path {
+            Some(path) => then(bench, path),
+            // Cancelled, or there is no dialog on this system: the two look alike.
+            None => bench.view.message = Some(Message::done(
+                say!("No file was chosen"),
+                vec![say!("If no dialog appeared, drop the file on the window, or type its path in the Session step").to_owned()],
+            )),
+        });
     }
 
     /// Asks where to export to: what is there now is written, whatever is open by then.
@@ -265,12 +233,4 @@ impl Workbench {
         self.cancel_pending_action();
         self.jobs.cancel(|kind| kind == Kind::Asks);
     }
-}
-
-/// Cancelled, or there is no dialog on this system.
-pub(super) fn no_file_was_chosen() -> Message {
-    Message::done(
-        say!("No file was chosen").to_owned(),
-        vec![say!("If no dialog appeared, drop the file on the window, or type its path in the Session step").to_owned()],
-    )
 }

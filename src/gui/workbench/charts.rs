@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::gui::charts::{CHARTS, ChartKind, ChartPlaceholder, Scene, Shown, effect, find};
 use crate::gui::jobs::{Kind as JobKind, Watch};
-use crate::gui::view::{Front, Step};
+use crate::gui::view::{Front, Message, Step};
 use crate::present::chart::Chart;
 use crate::present::drawing::Drawing;
 use crate::present::numbers::{notation, write_numbers};
@@ -100,7 +100,10 @@ impl Workbench {
         let of = kind.name().to_lowercase();
         let says = say!("Copy numbers: {of}", of);
         self.jobs
-            .start(JobKind::Once, says, work, |_: &mut Self, text| copied(text));
+            .start(JobKind::Once, says, work, |bench: &mut Self, text| {
+                copied(text);
+                bench.view.message = Some(Message::done(say!("Copied"), Vec::new()));
+            });
     }
 
     /// The curve of an effect that was found, as its card shows it.

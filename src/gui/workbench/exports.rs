@@ -8,7 +8,8 @@ use egui::ColorImage;
 
 use crate::compensation::decision::FittedErrors;
 use crate::export::find;
-use crate::gui::cache::{IdentifiedAnswer, PreviewRequest, StandardsFigures};
+use crate::gui::cache::{PreviewRequest, StandardsFigures};
+use crate::gui::core::answer::Question;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
 use crate::gui::core::document::{ExportChoice, plain};
@@ -24,7 +25,6 @@ use crate::robots::named;
 use crate::sessions::{robot_document, samples_path};
 
 use super::Workbench;
-use crate::gui::workbench::background::no_file_was_chosen;
 
 impl Workbench {
     /// What an export's file is called unless the user says otherwise.
@@ -36,21 +36,12 @@ impl Workbench {
             What::Table => document.export.file_name(session),
             What::Model => format!("{}.model.json", plain(session)),
             What::Poses => format!("{}-next-poses.csv", plain(session)),
-            What::Report(About::Session) => {
-                format!("{}-report.html", plain(session))
-            }
-            What::Report(About::Model) => {
-                format!("{}-model-report.html", plain(session))
-            }
+            What::Report(About::Session) => format!("{}-report.html", plain(session)),
+            What::Report(About::Model) => format!("{}-model-report.html", plain(session)),
             What::Picture(plot) => {
-                format!(
-                    "{}-{}.{}",
-                    plain(session),
-                    plain(plot.name()),
-                    plot.ending()
-                )
+                let (session, name) = (plain(session), plain(plot.name()));
+                format!("{session}-{name}.{}", plot.ending())
             }
-
             What::Robot(id) => format!("{id}.json"),
             What::TypedRobot => {
                 let table = self.typed_robots().first();
@@ -78,14 +69,18 @@ impl Workbench {
         })
     }
 
-    /// A table was saved: what is to be entered in the controller names this file from now on.
-    pub(super) fn remember_name(&mut self, path: &Path, choice: ExportChoice) {
-        let ending = find(choice.format).map(|format| format.extension);
-        let name = path.file_name().and_then(|name| name.to_str());
-        let is_table = path.extension().and_then(|e| e.to_str()) == ending;
-        if let (true, Some(name)) = (is_table, name) {
-            self.file_state.saved_as = Some((choice, name.to_owned()));
-        }
+    /// The name under which the table that is chosen was saved last: what is to be entered in the controller names this
+    /// file from then on.
+    pub(super) fn saved_as(&self) -> Option<String> {
+        let (session, choice) = (self.loaded_session(), &self.document().export);
+        let ending = find(choice.format)?.extension;
+        let is_it = |one: &&Exported| {
+            one.of.loaded_session.lineage == session.lineage
+                && one.choice == *choice
+                && one.path.extension().is_some_and(|e| e == ending)
+        };
+        let saved = self.file_state.exported.iter().rfind(is_it)?;
+        Some(saved.path.file_name()?.to_str()?.to_owned())
     }
 
     /// Writes an export to the file that was typed; whether one that is there may be replaced.
@@ -150,7 +145,8 @@ impl Workbench {
     fn table_or_model(&self, what: What) -> Result<Write, &'static str> {
         let identified = self.shown_outcome();
         let identified = identified.ok_or(say!("Identify the robot first"))?;
-        let (choice, question) = (self.document().export.clone(), self.question());
+        let choice = self.document().export.clone();
+        let question = self.question().ok_or(say!("Identify the robot first"))?;
         let inputs = choice.reference.iter().cloned().collect();
         let wanted = PreviewRequest {
             identified,
@@ -171,11 +167,12 @@ impl Workbench {
         if let Some(file) = self.file() {
             inputs.extend([file.to_path_buf(), samples_path(file)]);
         }
-        inputs.extend(self.samples_file().map(PathBuf::from));
+        let known = self.place().into_iter().flat_map(|place| &place.files);
+        inputs.extend(known.map(|known| known.path.clone()));
         let given = self.document().loaded_model.as_ref();
         inputs.extend(given.map(|given| given.path.clone()));
-        for (table, _) in &self.file_state.exported {
-            inputs.extend([table.clone(), sidecar_of(table)]);
+        for one in &self.file_state.exported {
+            inputs.extend([one.path.clone(), sidecar_of(&one.path)]);
         }
         inputs
     }
@@ -191,12 +188,10 @@ impl Workbench {
             Source::Session(Arc::clone(self.history.present()), searched, in_use)
         };
         let stated = self.stated();
-        let wanted = writing::ReportRequest {
-            source,
-            stated,
-            tables: self.exported().cloned().collect(),
+        let tables: Vec<PathBuf> = self.exported().cloned().collect();
+        let make = move |path: &Path, watch: &Watch| {
+            writing::report(&source, (&stated, &tables), path, watch)
         };
-        let make = move |path: &Path, watch: &Watch| writing::report(&wanted, path, watch);
         Ok(later(self.inputs(), make, Self::take_written))
     }
 
@@ -281,11 +276,7 @@ impl Workbench {
 
     /// Asks for a file of targets.
     pub(crate) fn choose_targets(&mut self) {
-        let by = self.shown_outcome();
-        self.choose_near(files::choose_targets, move |bench, path| match path {
-            Some(path) => bench.compensate_by(by, bench.request_for(path)),
-            None => bench.view.message = Some(no_file_was_chosen()),
-        });
+        self.choose_near(files::choose_targets, Self::compensate_file);
     }
 
     /// Corrects the targets of a file by the model that is shown.
@@ -317,26 +308,15 @@ impl Workbench {
     /// Asks for a file that the export starts from.
     pub(crate) fn choose_reference(&mut self) {
         self.choose_near(files::choose_reference, |bench, path| {
-            let reference = path.or_else(|| bench.document().export.reference.clone());
-            let choice = ExportChoice {
-                reference,
-                ..bench.document().export.clone()
-            };
+            let mut choice = bench.document().export.clone();
+            choice.reference = Some(path);
             bench.edit(|document| document.choose_export(choice));
         });
     }
 
     /// Corrects targets as it is asked for.
-    pub(crate) fn compensate(&mut self, wanted: CompensationRequest) {
-        self.compensate_by(self.shown_outcome(), wanted);
-    }
-
-    fn compensate_by(
-        &mut self,
-        by: Option<Arc<IdentifiedAnswer>>,
-        mut wanted: CompensationRequest,
-    ) {
-        let Some(outcome) = by else {
+    pub(crate) fn compensate(&mut self, mut wanted: CompensationRequest) {
+        let Some(outcome) = self.shown_outcome() else {
             return self.complain(
                 say!("The targets were not corrected"),
                 [say!("Identify the robot first")],
@@ -380,6 +360,14 @@ impl Workbench {
         let make = move |path: &Path, _: &Watch| writing::targets(&compensated, path);
         Ok(later(inputs, make, Self::take_written))
     }
+}
+
+/// A table or a model that was written.
+pub(crate) struct Exported {
+    pub(super) path: PathBuf,
+    /// What its model answers.
+    pub(super) of: Question,
+    pub(super) choice: ExportChoice,
 }
 
 /// What is written once it has a path, and whether a file that is there may be replaced.

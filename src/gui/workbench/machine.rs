@@ -1,11 +1,9 @@
 //! The record of the machine: what its report states, whether it is within its tolerance and what became
 //! of it, and robots that were typed. Remembered from one day to the next.
 
-use std::path::Path;
-
 use crate::compensation::decision::{Outcome, Rule};
 use crate::gui::core::robot_table::{RobotTable, remember};
-use crate::gui::file_state::{self, Machine, Of, Stated};
+use crate::gui::file_state::{self, Machine, Stated};
 use crate::gui::files;
 use crate::gui::view::What;
 use crate::language::spoken;
@@ -17,9 +15,10 @@ impl Workbench {
     /// Report details: as they were typed, or as they are proposed.
     pub(crate) fn stated(&self) -> Stated {
         self.typed().cloned().unwrap_or_else(|| {
+            let session = &self.loaded_session().session;
             let folder = self.folder().unwrap_or_default();
             let mut stated =
-                file_state::proposed(&self.file_state.settings.machines, self.machine(&folder));
+                file_state::proposed(&self.file_state.settings.machines, session, &folder);
             if let (true, Some(today)) = (stated.details.date.is_empty(), &self.file_state.today) {
                 stated.details.date.clone_from(today);
             }
@@ -32,16 +31,6 @@ impl Workbench {
         self.file_state.stated.get(&self.loaded_session().lineage)
     }
 
-    fn machine<'a>(&'a self, folder: &'a Path) -> Of<'a> {
-        let session = &self.loaded_session().session;
-        Of {
-            robot: &session.robot.name,
-            session: &session.name,
-            folder,
-            instrument: &session.instrument.name,
-        }
-    }
-
     /// Report details are these now; remembered once their sheet is closed.
     pub(crate) fn state(&mut self, stated: Stated) {
         self.file_state
@@ -51,12 +40,11 @@ impl Workbench {
 
     /// Remembers them for the next session of this machine.
     pub(super) fn keep_stated(&mut self) {
-        let Some(mut stated) = self.typed().cloned() else {
+        let Some(stated) = self.typed() else {
             return;
         };
-        stated.details.tolerance_mm = self.document().tolerance_mm;
         let folder = self.folder().unwrap_or_default();
-        let machine = Machine::new(self.machine(&folder), &stated);
+        let machine = Machine::new(&self.loaded_session().session, &folder, stated);
         self.keep(move |kept| file_state::remember(&mut kept.machines, machine.clone()));
     }
 
@@ -64,7 +52,7 @@ impl Workbench {
     pub(crate) fn choose_logo(&mut self) {
         let of = self.loaded_session().lineage;
         self.choose_near(files::choose_logo, move |bench, path| {
-            if let Some(path) = path.filter(|_| bench.loaded_session().lineage == of) {
+            if bench.loaded_session().lineage == of {
                 let logo = path.display().to_string();
                 bench.state(Stated {
                     logo,

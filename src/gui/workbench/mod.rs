@@ -37,12 +37,11 @@ use crate::gui::charts::{ChartPlaceholder, Scene, Shown};
 use crate::gui::core::answer::Question;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::Fingerprint;
-use crate::gui::core::document::{Changed, Document, ExportChoice, Method};
+use crate::gui::core::document::{Changed, Document, Method};
 use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::regions::Counts;
 use crate::gui::core::search::Search;
-use crate::gui::core::simulate::Form;
 use crate::gui::file_state::recovery::{LeftBehind, RecoveryFile};
 use crate::gui::file_state::{Settings, Stated};
 use crate::gui::files;
@@ -51,6 +50,8 @@ use crate::gui::jobs::{Jobs, Slot};
 use crate::gui::view::{
     Camera, Message, NextAction, OnDisk, Plane, Preferences, Sheet, Sorting, Step, ViewState,
 };
+use crate::gui::workbench::exports::Exported;
+use crate::gui::workbench::on_disk::{Look, Looked};
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
 use crate::sessions::Region;
@@ -105,6 +106,10 @@ pub(super) struct Derived {
     pub(super) sketches: Slot<Arc<Search>, Sketches>,
     pub(super) chart: Slot<(&'static str, Arc<Scene>), Arc<Charted>>,
     pub(super) compensated: Option<Arc<Compensated>>,
+    /// What became of files on the disk.
+    pub(super) on_disk: Slot<Look, Looked>,
+    /// The document as recovery has it, where something of it is not saved.
+    pub(super) recovery: Slot<Option<Arc<Document>>, ()>,
     /// What a diagnosis says, and how it is said.
     pub(super) sections: Memo<(Arc<Search>, Voice), Arc<[Section]>>,
     /// The samples of each region, and those in none.
@@ -160,25 +165,18 @@ pub(super) struct FileState {
     pub(super) today: Option<String>,
     /// What was typed for the report of an opening.
     pub(super) stated: BTreeMap<u64, Stated>,
-    pub(super) missing: Vec<PathBuf>,
     pub(super) places: BTreeMap<u64, Place>,
-    /// Counts how often what is known of files was replaced.
-    pub(super) look: u64,
-    /// What became of a file, as it was read and put aside.
-    pub(super) dismissed: Option<OnDisk>,
+    /// Counts how often the disk was to be looked at.
+    pub(super) looks: u64,
+    /// What became of files, as it was read and put aside.
+    pub(super) dismissed: Option<(Vec<Fingerprint>, OnDisk)>,
 
     /// The import that was left without being done, with what was said.
     pub(super) left_draft: Option<ImportDraft>,
-    /// Files that were exported from this session, the newest last, each with what its model answers.
-    pub(super) exported: Vec<(PathBuf, Option<Question>)>,
-    /// The name under which this export was saved last.
-    pub(super) saved_as: Option<(ExportChoice, String)>,
-    /// What was asked of the model that was written last.
-    pub(super) model_on_file: Option<Question>,
+    /// Tables and models that were written, the newest last.
+    pub(super) exported: Vec<Exported>,
     /// What is done once a file is written, and whether everything that would be lost is saved before.
     pub(super) then: Option<(NextAction, bool)>,
-    /// The document as recovery has it.
-    pub(super) kept: Option<Arc<Document>>,
 }
 
 /// A map, and how it is looked at: the blend, the upper end of its scale, mm, and what it stands on.
@@ -244,6 +242,7 @@ impl Workbench {
         }
         self.view.stay_within(self.loaded_session().len());
         self.stop_search_of_others();
+        self.keep_watching();
         self.refresh_answer();
         self.keep_preparing();
         self.keep_drawing();
@@ -258,24 +257,11 @@ impl Workbench {
         }
     }
 
-    pub(crate) fn simulate(&mut self, form: Form) {
-        if let Some(problem) = form.problem() {
-            self.complain(say!("The simulation needs other numbers"), vec![problem]);
-        } else {
-            self.ask_then(NextAction::Simulate(form));
-        }
-    }
-
     /// Shows numbers, colours and text like this, tomorrow as well.
     pub(crate) fn prefer(&mut self, preferences: Preferences) {
         self.view.preferences = preferences.sound();
         let preferences = self.view.preferences;
         self.keep(move |kept| kept.preferences = preferences);
-    }
-
-    /// Goes on with what is here, whatever is on the disk.
-    pub(crate) fn keep_mine(&mut self) {
-        self.file_state.dismissed = self.view.on_disk.take();
     }
 
     pub(crate) fn show_sheet(&mut self, sheet: Option<Sheet>) {
@@ -309,7 +295,6 @@ impl Workbench {
             self.after_travel(before.lineage);
         }
         if before.lineage != self.loaded_session().lineage {
-            self.file_state.exported.clear();
             // No chart stays on an effect that a session had: of another one there is none yet.
             self.view
                 .chart

@@ -10,6 +10,7 @@ use crate::gui::file_state::{self, Settings};
 use crate::gui::files::{self};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{OnDisk, Sheet, What};
+use crate::gui::workbench::answers::QUIETLY;
 use crate::gui::workbench::{Place, Workbench};
 
 impl Workbench {
@@ -36,8 +37,8 @@ impl Workbench {
         if !details.is_empty() {
             self.complain(say!("Not everything could be set up"), details);
         }
-        self.look_at_disk();
         self.file_state.home = Some(home);
+        self.keep_watching();
         self.look_for_left_behind();
     }
 
@@ -50,7 +51,9 @@ impl Workbench {
 
     /// Recent files that are there, newest first.
     pub(crate) fn recent(&self) -> impl Iterator<Item = &PathBuf> {
-        let there = |path: &&PathBuf| !self.file_state.missing.contains(path);
+        let looked = self.derived.on_disk.made();
+        let there =
+            move |path: &&PathBuf| !looked.is_some_and(|(_, now)| now.missing.contains(path));
         self.file_state.settings.recent.iter().filter(there)
     }
 
@@ -72,15 +75,19 @@ impl Workbench {
     /// The folder where new files of what is open belong: beside its own file, or beside the one
     /// that it came from.
     pub(crate) fn folder(&self) -> Option<PathBuf> {
-        let came_from = match &self.loaded_session().origin {
-            Origin::File(path) | Origin::Imported(path) | Origin::Model(path) => Some(path),
-            Origin::Recovered(path) => path.as_ref(),
-            Origin::Bundled | Origin::Simulated => None,
-        };
         let given = self.document().loaded_model.as_ref();
-        let other = came_from.or(given.map(|given| &given.path));
-        let near = self.file().or(other.map(PathBuf::as_path))?;
+        let near = self.file().or(self.came_from());
+        let near = near.or(given.map(|given| &*given.path))?;
         std::path::absolute(near).ok()?.parent().map(PathBuf::from)
+    }
+
+    /// The file that the session was read from.
+    pub(crate) fn came_from(&self) -> Option<&Path> {
+        match &self.loaded_session().origin {
+            Origin::File(path) | Origin::Imported(path) | Origin::Model(path) => Some(path),
+            Origin::Recovered(path) => path.as_deref(),
+            Origin::Bundled | Origin::Simulated => None,
+        }
     }
 
     /// Where a file of this name is written, wherever the program was started.
@@ -106,11 +113,6 @@ impl Workbench {
             path: path.display().to_string(),
             replace: false,
         }));
-    }
-
-    /// The file with its samples, if they are in one.
-    pub(crate) fn samples_file(&self) -> Option<&Path> {
-        Some(&self.place()?.files.get(1)?.path)
     }
 
     /// What is open stands in these files, or needs none.
@@ -139,21 +141,11 @@ impl Workbench {
     /// Another opening is looked at now: what was made of the one before is none of its.
     pub(super) fn arrived(&mut self) {
         self.derived.compensated = None;
-        self.file_state.saved_as = None;
         if let Some(Sheet::Path { .. } | Sheet::Compensation) = self.view.sheet {
             self.view.sheet = None;
             self.cancel_pending_action();
         }
-        self.forget_looks();
         self.look_at_disk();
-    }
-
-    /// What is known of the files is not what it was: a look that is under way says nothing any more, and what was
-    /// dismissed is said again.
-    pub(super) fn forget_looks(&mut self) {
-        self.file_state.look += 1;
-        self.file_state.dismissed = None;
-        self.view.on_disk = None;
     }
 
     /// This file was opened or saved.
@@ -161,12 +153,13 @@ impl Workbench {
         // Seen from another folder tomorrow, it has to be the same file.
         let path = std::path::absolute(&path).unwrap_or(path);
         self.keep(move |kept| file_state::use_recent(&mut kept.recent, path.clone()));
-        self.look_at_disk();
     }
 
-    /// Reads the session's file again. Undo brings back what was here.
+    /// Reads the session's file again. Undo brings back what was here. What is not there cannot be read again, which a
+    /// look at the disk says; it can be written again.
     pub(crate) fn reload(&mut self) {
-        self.view.on_disk = None;
+        self.file_state.dismissed = None;
+        self.look_at_disk();
         let files = self.place().map(|place| place.files.clone());
         let files = files.unwrap_or_default();
         let Some(path) = files.first().map(|file| file.path.clone()) else {
@@ -176,53 +169,57 @@ impl Workbench {
         self.view.sheet = None;
         let what = say!("reading {path}", path = path.display());
         let work = move |watch: &Watch| {
-            // What is not there cannot be read again; it can be written again.
-            match files.into_iter().find(|file| !file.path.exists()) {
-                Some(gone) => Err(gone.path),
-                None => Ok(files::open(&path, watch)),
-            }
+            let there = files.iter().all(|file| file.path.exists());
+            there.then(|| files::open(&path, watch))
         };
-        self.jobs.start(
-            Kind::Opens,
-            what,
-            work,
-            |bench: &mut Self, opened| match opened {
-                Ok(opened) => bench.take_opened(opened),
-                Err(path) => {
-                    let change = FileChange::Vanished;
-                    bench.view.on_disk = Some(OnDisk { path, change });
+        self.jobs
+            .start(Kind::Opens, what, work, |bench: &mut Self, opened| {
+                if let Some(opened) = opened {
+                    bench.take_opened(opened);
                 }
-            },
-        );
+            });
+    }
+
+    /// The disk may have changed: it is looked at once more.
+    pub(crate) fn look_at_disk(&mut self) {
+        self.file_state.looks += 1;
     }
 
     /// Looks in the background whether the files of what is open are what they were, and which of the recent ones are
-    /// there. What this window is writing itself is not looked at.
-    pub(crate) fn look_at_disk(&mut self) {
-        let own = self.place().filter(|_| self.writing().is_none());
-        let files = own.map_or_else(Vec::new, |place| place.files.clone());
-        let (number, recent) = (
-            self.file_state.look,
-            self.file_state.settings.recent.clone(),
-        );
-        let work = move || Looked {
-            number,
-            change: changed(&files),
-            missing: recent.into_iter().filter(|path| !path.exists()).collect(),
+    /// there.
+    pub(super) fn keep_watching(&mut self) {
+        let of = Look {
+            number: self.file_state.looks,
+            files: self.own_files().to_vec(),
+            recent: self.file_state.settings.recent.clone(),
         };
-        self.jobs.quietly(work, Self::take_look);
+        let look = |of: &Look, _: &Watch| Looked {
+            change: changed(&of.files),
+            missing: of.recent.iter().filter(|p| !p.exists()).cloned().collect(),
+        };
+        self.derive(QUIETLY, |derived| &mut derived.on_disk, of, look);
     }
 
-    pub(super) fn take_look(&mut self, looked: Looked) {
-        self.file_state.missing = looked.missing;
-        // Compared with what was known before this window opened or wrote a file.
-        if looked.number == self.file_state.look {
-            if looked.change.is_none() {
-                self.file_state.dismissed = None;
-            }
-            let dismissed = &self.file_state.dismissed;
-            self.view.on_disk = looked.change.filter(|now| Some(now) != dismissed.as_ref());
-        }
+    /// The files of what is open; what this window is writing itself is not looked at.
+    fn own_files(&self) -> &[Fingerprint] {
+        let own = self.place().filter(|_| self.writing().is_none());
+        own.map_or(&[], |place| &place.files)
+    }
+
+    /// An open file that is not what it was, until that was read and put aside.
+    pub(crate) fn on_disk(&self) -> Option<&OnDisk> {
+        let (look, now) = self.derived.on_disk.made()?;
+        let dismissed = self.file_state.dismissed.as_ref();
+        let change = now.change.as_ref()?;
+        let said = dismissed.is_some_and(|(files, what)| *files == look.files && what == change);
+        // Compared with what was known before this window wrote a file it would say nothing of what is there now.
+        (look.files == self.own_files() && !said).then_some(change)
+    }
+
+    /// Goes on with what is here, whatever is on the disk.
+    pub(crate) fn keep_mine(&mut self) {
+        let files = self.own_files().to_vec();
+        self.file_state.dismissed = self.on_disk().map(|change| (files, change.clone()));
     }
 
     /// Changes what outlives the window, here and in this user's folder, where there is one.
@@ -247,10 +244,16 @@ impl Workbench {
     }
 }
 
-/// What a look at the disk has found.
-pub(super) struct Looked {
-    /// That of the look, by which one that is out of date is known.
-    pub(super) number: u64,
+/// A look at the disk.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Look {
+    number: u64,
+    pub(super) files: Vec<Fingerprint>,
+    recent: Vec<PathBuf>,
+}
+
+/// What it has found.
+pub(crate) struct Looked {
     pub(super) change: Option<OnDisk>,
     pub(super) missing: Vec<PathBuf>,
 }

@@ -196,7 +196,8 @@ fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
     let path = folder.path().join("own.json");
     workbench.execute(|bench| bench.export_as(What::Session, path.clone(), true));
     workbench.receive();
-    let before = workbench.file_state.look;
+    let (before, _) = workbench.derived.on_disk.made().expect("looked at");
+    let before = before.clone();
     done(&mut workbench, |bench| {
         bench.edit(|document| document.divide(5));
     });
@@ -206,17 +207,16 @@ fn what_this_window_saved_is_not_taken_for_a_change_by_another_program() {
         path: path.clone(),
         change: FileChange::Changed,
     };
-    workbench.take_look(Looked {
-        number: before,
+    let looked = Looked {
         change: Some(change),
         missing: Vec::new(),
-    });
-    assert_eq!(workbench.view.on_disk, None);
+    };
+    workbench.derived.on_disk.take(before, looked);
+    assert_eq!(workbench.on_disk(), None);
     // A change that another program made after that is said.
     std::fs::write(&path, "{}").expect("written");
-    workbench.look_at_disk();
-    workbench.receive();
-    let seen = workbench.view.on_disk.as_ref().expect("it is said");
+    done(&mut workbench, Workbench::look_at_disk);
+    let seen = workbench.on_disk().expect("it is said");
     assert_eq!(seen.change, FileChange::Changed);
 }
 

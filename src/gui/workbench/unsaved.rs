@@ -54,8 +54,9 @@ impl Workbench {
             session: self.unsaved(),
             model: !example
                 && self.answer().is_some()
-                && asked.is_some()
-                && asked != self.file_state.model_on_file,
+                && asked.is_some_and(|asked| {
+                    self.file_state.exported.iter().all(|one| one.of != asked)
+                }),
         }
     }
 
@@ -172,23 +173,18 @@ impl Workbench {
 
     /// Saves to the session's own file, or asks for one.
     pub(crate) fn save(&mut self) {
-        match self.file().map(Path::to_path_buf) {
-            Some(path) => self.save_to(&path, Replace::Own),
-            None => self.choose_where_to_export(What::Session),
-        }
+        self.save_over(Replace::Own);
     }
 
     /// The same, although the file changed since it was read.
     pub(crate) fn save_despite(&mut self) {
-        if let Some(path) = self.file().map(Path::to_path_buf) {
-            self.save_to(&path, Replace::Whatever);
-        }
+        self.save_over(Replace::Whatever);
     }
 
-    /// Saves what is open to a file.
-    fn save_to(&mut self, path: &Path, replace: Replace) {
-        if self.prepared(What::Session).is_some() {
-            self.save_document(Arc::clone(self.history.present()), path, replace);
+    fn save_over(&mut self, replace: Replace) {
+        match self.file().map(Path::to_path_buf) {
+            Some(path) => self.save_document(Arc::clone(self.history.present()), &path, replace),
+            None => self.choose_where_to_export(What::Session),
         }
     }
 
@@ -201,7 +197,6 @@ impl Workbench {
             say!("writing {path}", path = path.display()),
             path.to_path_buf(),
         );
-        self.forget_looks();
         let work = move |watch: &Watch| files::save(document, &path, replace, known, watch);
         self.jobs.start(Kind::Writes, what, work, Self::take_saved);
     }
@@ -217,7 +212,6 @@ impl Workbench {
                 self.view.sheet = Some(Sheet::Overwrite(changed));
             }
             Err(NotSaved::Because(message)) => {
-                self.look_at_disk();
                 self.cancel_pending_action();
                 self.view.message = Some(message);
             }
@@ -228,7 +222,6 @@ impl Workbench {
                     files: prints,
                 };
                 self.file_state.places.insert(lineage, place);
-                self.forget_looks();
                 let says = say!("What was identified is not in it: “Save model…” keeps that");
                 let details = self.at_risk().model.then(|| says.to_owned());
                 self.view.message = Some(Message::saved(&path, Vec::from_iter(details)));
@@ -238,38 +231,33 @@ impl Workbench {
         }
     }
 
-    /// Whether recovery lags behind the document.
-    pub(crate) fn recovery_lags(&self) -> bool {
-        let now = self.history.present();
-        let kept = self.file_state.kept.as_ref();
-        self.file_state.recovery_file.is_some()
-            && match (kept, self.at_risk().any()) {
-                (Some(kept), true) => !Arc::ptr_eq(kept, now),
-                (kept, at_risk) => kept.is_some() != at_risk,
-            }
-    }
-
-    /// Writes what is not saved to this window's recovery file, or removes it where all is saved.
+    /// Keeps what is not saved in this window's recovery file, or removes it where all is saved: once a gesture is over.
     pub(crate) fn keep_recovery(&mut self) {
         let keeper = self.file_state.recovery_file.as_ref();
-        let Some(keeper) = keeper.filter(|_| self.recovery_lags()) else {
+        let Some(keeper) = keeper.filter(|_| !self.dragging) else {
             return;
         };
         let path = keeper.path().to_path_buf();
-        if !self.at_risk().any() {
-            self.file_state.kept = None;
-            let work = move || drop(std::fs::remove_file(&path));
-            self.jobs.quietly(work, |_, ()| ());
+        let at_risk = self.at_risk().any();
+        let document = at_risk.then(|| Arc::clone(self.history.present()));
+        if !self.derived.recovery.want(&document) {
             return;
         }
-        let document = Arc::clone(self.history.present());
-        self.file_state.kept = Some(Arc::clone(&document));
         let file = self.file().map(Path::to_path_buf);
         let work = move || {
-            let written = recovery::write(&path, &SavedDocument::of(&document, file));
-            written.map_err(|e| e.to_string())
+            let kept = if let Some(document) = &document {
+                recovery::write(&path, &SavedDocument::of(document, file))
+            } else {
+                let _ = std::fs::remove_file(&path);
+                Ok(())
+            };
+            (document, kept.map_err(|e| e.to_string()))
         };
-        self.jobs.quietly(work, Self::take_kept);
+        self.jobs
+            .quietly(work, |bench: &mut Self, (document, kept)| {
+                bench.derived.recovery.take(document, ());
+                bench.take_kept(kept);
+            });
     }
 
     /// Looks for unsaved work of windows that ended without warning, and offers to restore it.
@@ -315,8 +303,6 @@ impl Workbench {
         if let Some(other) = self.file_state.recovery_file.replace(own) {
             other.tidy();
         }
-        self.file_state.kept = None;
-        self.keep_recovery();
         let title = say!("Restored; it is not saved yet");
         self.view.message = Some(Message::done(title, Vec::new()));
     }

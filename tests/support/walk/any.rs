@@ -552,7 +552,9 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             deed("Search", (), |bench, ()| bench.search())
         }
         104 => deed("Stop Search", (), |bench, ()| bench.stop_search()),
-        105 => deed("Simulate", form(random), super::super::Workbench::simulate),
+        105 => deed("Simulate", form(random), |bench, it| {
+            bench.ask_then(NextAction::Simulate(it));
+        }),
         106 if random.random() => deed("Stop Dialog", (), |bench, ()| bench.stop_asking()),
         106 => deed("Stop Newest", (), |bench, ()| bench.cancel_newest()),
         at @ 107..=133 => seen(random, workbench, at),
