@@ -53,50 +53,6 @@ fn a_table_with_semicolons_and_commas_becomes_a_session() {
 }
 
 #[test]
-fn what_is_named_like_the_file_is_taken_and_said() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = foreign(folder.path(), "q1_deg,x_mm,y_mm", ",", false, 1.0);
-    let sessions = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions");
-    for (from, to) in [
-        ("paper-run.json", "tracker.json"),
-        ("paper-run.csv", "paper-run.csv"),
-    ] {
-        fs::copy(sessions.join(from), folder.path().join(to)).expect("copied");
-    }
-    let table = fs::read_to_string(&path).expect("it is there");
-    // The file has its commands itself: these are not taken.
-    fs::write(folder.path().join("tracker-commands.csv"), &table).expect("written");
-    let mut window = window(None);
-    open(&mut window, &path);
-    assert!(says(&window, "Taken because its name is that of the file"));
-    assert!(there(
-        &window,
-        "Use tracker-commands.csv: File of the commands"
-    ));
-    press(&mut window, "Import");
-    assert!(says(&window, "361 samples · RMS error"));
-}
-
-#[test]
-fn commands_named_like_the_file_are_taken() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = foreign(folder.path(), "q1_deg,x_mm,y_mm", ",", false, 1.0);
-    let table = fs::read_to_string(&path).expect("it is there");
-    let part = |from: usize, to: usize| {
-        let cut = |line: &str| line.split(',').collect::<Vec<_>>()[from..to].join(",") + "\n";
-        table.lines().map(cut).collect::<String>()
-    };
-    fs::write(folder.path().join("tracker_commands.csv"), part(0, 1)).expect("written");
-    fs::write(&path, part(1, 3)).expect("written");
-    let mut window = window(None);
-    open(&mut window, &path);
-    assert!(says(&window, "Taken because its name is that of the file"));
-    press(&mut window, "that of the example The paper's full run");
-    press(&mut window, "Import");
-    assert!(says(&window, "361 samples · RMS error"));
-}
-
-#[test]
 fn a_unit_that_nobody_says_is_asked_for() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = foreign(folder.path(), "q1_deg,x,y", ",", false, 0.001);

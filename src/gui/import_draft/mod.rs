@@ -7,8 +7,7 @@
 
 mod answers;
 
-pub(crate) use answers::{Companion, ImportAnswers, RobotFrom};
-pub(crate) use answers::{Neighbours, ROBOTS, TABLES};
+pub(crate) use answers::{Companion, ImportAnswers, ROBOTS, RobotFrom, TABLES};
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -17,8 +16,7 @@ use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::jobs::Watch;
 use crate::importers::{
-    self, Alignment, ColumnGuess, IMPORTERS, Inspection, Matched, Reading, Settings,
-    inspect_watched,
+    self, Alignment, ColumnGuess, IMPORTERS, Inspection, Matched, Settings, inspect_watched,
 };
 use crate::kinematics::Robot;
 use crate::pipeline::import_watched;
@@ -53,18 +51,12 @@ pub(crate) struct InspectedDraft {
 pub(crate) struct ImportDraft {
     pub(crate) path: PathBuf,
     bytes: Arc<Vec<u8>>,
-    /// What lies beside it.
-    pub(crate) neighbours: Arc<Neighbours>,
-    /// What of it was taken because its name is that of the file.
-    pub(crate) taken: Vec<(Companion, PathBuf)>,
     /// What a person said.
     pub(crate) answers: ImportAnswers,
     /// What was typed to find a robot.
     pub(crate) robot_search: String,
     /// What was seen last.
     pub(crate) seen: Arc<InspectedDraft>,
-    /// The answers as the file was opened, before the user changed any.
-    first: Box<ImportAnswers>,
     /// The meanings of the columns that the user has looked at.
     confirmed: Option<Vec<String>>,
 }
@@ -108,48 +100,18 @@ impl ImportDraft {
     }
 
     fn read(path: &Path, bytes: Vec<u8>, part: ProgressSpan<'_>) -> Result<Self, ReadError> {
-        let name = path.file_stem().unwrap_or_default();
-        let mut answers = ImportAnswers {
-            name: name.to_string_lossy().into_owned(),
-            reading: Reading {
-                file: Some(path.to_path_buf()),
-                ..Reading::default()
-            },
-            ..ImportAnswers::default()
-        };
-        let neighbours = Neighbours::of(path);
-        let mut taken = neighbours.named_alike(path);
-        for (which, file) in &taken {
-            answers.choose(*which, file.to_string_lossy().into_owned());
-        }
-        let first = if answers.commands.is_empty() {
-            1.0
-        } else {
-            0.9
-        };
-        let mut seen = InspectedDraft::of(&bytes, path, &answers, part.part(0.0, first))?;
-        // A file that has its commands itself needs no others.
-        if !answers.commands.is_empty() && seen.inspection.columns.iter().any(is_command) {
-            taken.retain(|(which, _)| *which != Companion::Commands);
-            answers.commands.clear();
-            seen = InspectedDraft::of(&bytes, path, &answers, part.part(first, 1.0))?;
-        }
-        part.reached(1.0)?;
+        let answers = ImportAnswers::about(path);
+        let seen = InspectedDraft::of(&bytes, path, &answers, part)?;
         if seen.inspection.kind.is_none() {
             // Not even text: there is nothing that anybody could say about it.
-            return Err(Rejected {
-                diagnostics: seen.inspection.findings,
-            }
-            .into());
+            let diagnostics = seen.inspection.findings;
+            return Err(Rejected { diagnostics }.into());
         }
         Ok(Self {
             path: path.to_path_buf(),
             bytes: Arc::new(bytes),
-            neighbours: Arc::new(neighbours),
-            taken,
             answers,
             robot_search: String::new(),
-            first: Box::new(seen.answers.clone()),
             seen: Arc::new(seen),
             confirmed: None,
         })
@@ -157,19 +119,12 @@ impl ImportDraft {
 
     /// Whether the user answered or confirmed something that would be lost with it.
     pub(crate) fn holds_answers(&self) -> bool {
-        self.answers != *self.first || self.confirmed.is_some()
+        self.answers != ImportAnswers::about(&self.path) || self.confirmed.is_some()
     }
 
     /// Whether this is the same file with the same contents.
     pub(crate) fn is_of_the_file_of(&self, other: &Self) -> bool {
         self.path == other.path && self.bytes == other.bytes
-    }
-
-    /// Takes over the answers of an earlier draft of the same file.
-    pub(crate) fn resume(&mut self, before: Self) {
-        self.answers = before.answers;
-        self.robot_search = before.robot_search;
-        self.confirmed = before.confirmed;
     }
 
     /// Looks again, with what was said since.
@@ -275,7 +230,7 @@ impl InspectedDraft {
         answers: &ImportAnswers,
         part: ProgressSpan<'_>,
     ) -> Result<Self, Cancelled> {
-        let robot = answers.robot.robot();
+        let robot = answers.robot();
         let robot = robot.map(|robot| robot.map_err(|rejected| in_words(&rejected.diagnostics)));
         let known = robot.as_ref().and_then(|robot| robot.as_ref().ok());
         let mut reading = answers.reading.clone();
@@ -297,7 +252,7 @@ impl InspectedDraft {
                 Err(ReadError::Cancelled(cancelled)) => return Err(cancelled),
                 Err(ReadError::Rejected(rejected)) => {
                     let mut errors = rejected.diagnostics.iter().filter(|d| is_wrong(d));
-                    lacks_commands = answers.commands.trim().is_empty()
+                    lacks_commands = answers.file(Companion::Commands).is_empty()
                         && !inspection.columns.iter().any(is_command)
                         && errors.all(|error| error.expected.contains("--commands"));
                     (!lacks_commands).then(|| Err(in_words(&rejected.diagnostics)))
@@ -324,8 +279,6 @@ pub(crate) struct Trial {
     pub(crate) matched: Option<Matched>,
     /// How the points came into the base frame.
     pub(crate) alignment: Option<Alignment>,
-    /// Warnings and notes, in words.
-    pub(crate) notes: Vec<(Severity, String)>,
 }
 
 impl Trial {
@@ -340,9 +293,10 @@ impl Trial {
         robot: &Robot,
         part: ProgressSpan<'_>,
     ) -> Result<Self, ReadError> {
-        let commands = read(&answers.commands)?;
-        let reference = read(&answers.reference)?;
-        let targets = read(&answers.targets)?;
+        let beside = |which| read(answers.file(which));
+        let commands = beside(Companion::Commands)?;
+        let reference = beside(Companion::Reference)?;
+        let targets = beside(Companion::Targets)?;
         let own = answers.own_targets.as_deref().map(table_of);
         let of_session = |bytes| importers::Companion { bytes, file: None };
         let settings = Settings {
@@ -361,8 +315,6 @@ impl Trial {
         };
         let imported = import_watched(bytes, &settings, part.part(0.0, 0.6).watch())?;
         let findings = imported.findings;
-        let note = |finding: &Diagnostic| (finding.severity, in_the_windows_words(finding));
-        let notes = findings.iter().map(note).collect();
         let origin = Origin::Imported(path.to_path_buf());
         let looking = part.part(0.6, 1.0);
         let loaded_session = LoadedSession::watched(imported.session, findings, origin, looking)?;
@@ -370,7 +322,6 @@ impl Trial {
             loaded_session: Arc::new(loaded_session),
             matched: imported.matched,
             alignment: imported.alignment,
-            notes,
         })
     }
 }
@@ -388,7 +339,6 @@ fn table_of(targets: &[Target]) -> Vec<u8> {
 type File = (PathBuf, Vec<u8>);
 
 fn read(typed: &str) -> Result<Option<File>, Rejected> {
-    let typed = typed.trim();
     if typed.is_empty() {
         return Ok(None);
     }

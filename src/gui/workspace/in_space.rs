@@ -7,7 +7,6 @@
 use egui::{
     Color32, Key, PointerButton, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo,
 };
-use nalgebra::Isometry3;
 
 use crate::gui::style::{Palette, space};
 use crate::gui::view::{Ball, Camera as ViewCamera};
@@ -39,9 +38,11 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     let ui = &mut inside;
     ui.set_clip_rect(rect.intersect(ui.clip_rect()));
-    Pen::draw(ui, |pen| {
-        in_space(pen, workbench, &seen.shown, seen.robot.as_ref(), &space);
-    });
+    let pen = Pen {
+        painter: ui.painter(),
+        palette: &Palette::of(ui),
+    };
+    in_space(pen, workbench, &seen.shown, seen.robot.as_ref(), &space);
     let view = &workbench.view;
     describe(&response, workbench);
     let pointer = response.hover_pos().filter(|_| !response.dragged());
@@ -99,9 +100,11 @@ pub(crate) fn robot_alone(
     let sides = [rect.width(), rect.height()].map(f64::from);
     let facing = camera.facing();
     let seen = Camera::showing(facing, camera.bounds(&ball, sides), rect);
-    let mut pen = Pen::new(&painter, &palette);
-    body(&mut pen, &drawn, &Isometry3::identity(), &seen);
-    painter.extend(pen.shapes);
+    let pen = Pen {
+        painter: &painter,
+        palette: &palette,
+    };
+    body(pen, &drawn, &seen);
     if response.has_focus() {
         let ring = Stroke::new(1.0, palette.outline);
         let inside = egui::StrokeKind::Inside;
@@ -177,7 +180,7 @@ fn by_keys(ui: &Ui, camera: ViewCamera) -> ViewCamera {
 #[cfg(test)]
 mod tests {
     use egui::vec2;
-    use nalgebra::{Point3, Vector3};
+    use nalgebra::{Isometry3, Point3, Vector3};
 
     use crate::gui::testing::workbench;
 

@@ -98,9 +98,12 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     let (response, transform) = plots::show(ui, plot, bounds, |painter, transform| {
         let transform = *transform;
         let camera = Camera { facing, transform };
-        let mut pen = Pen::new(painter, &palette);
-        scene::plane(&mut pen, workbench, shown, robot, editing, &camera);
-        pen.shapes
+        let pen = Pen {
+            painter,
+            palette: &palette,
+        };
+        scene::plane(pen, workbench, shown, robot, editing, &camera);
+        Vec::new()
     });
     let camera = Camera { facing, transform };
     let frame = camera.frame();

@@ -222,25 +222,15 @@ fn about(workbench: &Workbench, sample: usize, all: bool) -> (String, Vec<Line>)
 pub(super) struct Seen {
     pub(super) shown: Shown,
     pub(super) robot: Option<Drawn>,
-    /// What is not drawn follows from the plot's size: the legend above it says what the frame before found.
-    not_drawn: Vec<String>,
     scale: Option<Rect>,
-}
-
-fn not_drawn() -> Id {
-    Id::unique("what is not drawn")
 }
 
 impl Seen {
     /// As the workbench has it, with the rows over the plot.
     pub(super) fn of(ui: &mut Ui, workbench: &Workbench) -> Self {
         let (shown, robot) = (Shown::of(workbench), Drawn::of(workbench));
-        let before = ui.data(|data| data.get_temp::<Vec<String>>(not_drawn()));
-        let before = before.unwrap_or_default();
-        let notes = shown.note().into_iter().chain(before.iter().cloned());
         Self {
-            scale: legend::show(ui, workbench, &shown, robot.as_ref(), notes),
-            not_drawn: before,
+            scale: legend::show(ui, workbench, &shown, robot.is_some()),
             shown,
             robot,
         }
@@ -254,26 +244,21 @@ impl Seen {
         camera: &Camera,
         (response, pointer): (&Response, Option<Pos2>),
     ) {
-        let counts = fitting::counts(&self.shown, &camera.transform);
-        let now = fitting::drawn(&self.shown, counts);
-        if now != self.not_drawn {
-            ui.data_mut(|data| data.insert_temp(not_drawn(), now));
-            ui.ctx().request_repaint();
-        }
         if let Some(room) = self.scale {
             legend::scale_in(ui, room, workbench, &self.shown, camera);
         }
         if let Some(robot) = &self.robot {
-            label(ui, camera, robot);
+            label(ui, workbench, camera, robot);
         }
-        let within = (REACH, counts[0]);
+        let [points, _] = fitting::counts(&self.shown, &camera.transform);
+        let within = (REACH, points);
         let under = pointer.and_then(|at| under(workbench, &self.shown, camera, (at, within)));
         hover(response, workbench, under);
     }
 }
 
 /// Where the robot's tool is, for a screen reader.
-fn label(ui: &Ui, camera: &Camera, drawn: &Drawn) {
+fn label(ui: &Ui, workbench: &Workbench, camera: &Camera, drawn: &Drawn) {
     let frame = camera.frame();
     let tool = drawn.corners_mm.last();
     let tool = tool.map(|p| camera.at(p.coords.into()));
@@ -281,7 +266,7 @@ fn label(ui: &Ui, camera: &Camera, drawn: &Drawn) {
     let place = Rect::from_min_size(at.unwrap_or(frame.left_top()), Vec2::splat(1.0));
     let id = ui.scope_id().with("robot");
     let response = ui.interact(place, id, egui::Sense::hover());
-    let says = drawn.describe();
+    let says = drawn.describe(workbench);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, &says));
 }
 
