@@ -359,35 +359,3 @@ fn a_robot_of_the_library_is_found_by_typing() {
         "what was typed is gone with it"
     );
 }
-
-#[test]
-fn reflectors_of_the_open_session_are_taken_again() {
-    let mut window = window(None);
-    let mut import = |reflectors: &mut dyn FnMut(&mut Window)| {
-        open(&mut window, &walk("tracker.txt"));
-        if there(&window, "Go on without saving") {
-            press(&mut window, "Go on without saving");
-        }
-        press(&mut window, "It is mm");
-        press(&mut window, "The columns are right");
-        press(&mut window, "from this file");
-        type_path(&mut window, "File of the robot", &walk("robot.json"));
-        type_path(&mut window, "File of the commands", &walk("commands.csv"));
-        press(&mut window, "by name");
-        reflectors(&mut window);
-        type_path(
-            &mut window,
-            "File of the known points",
-            &walk("base-points.csv"),
-        );
-        press(&mut window, "Import");
-        gaps(&window).0
-    };
-    let from_file = import(&mut |window| {
-        type_path(window, "File of the reflectors", &walk("reflectors.csv"));
-    });
-    let from_session = import(&mut |window| {
-        press(window, "those of the open session: T1, T2");
-    });
-    assert!((from_file - from_session).abs() < 1e-9, "{from_session}");
-}

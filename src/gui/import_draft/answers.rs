@@ -7,7 +7,6 @@ use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::importers::{Matching, Reading};
 use crate::kinematics::{Robot, robot_from_file};
 use crate::pipeline;
-use crate::sessions::Target;
 use crate::text::Text;
 
 use crate::gui::core::disk::EXAMPLES;
@@ -34,8 +33,6 @@ pub(crate) struct ImportAnswers {
     pub(crate) in_measuring_order: bool,
     /// Whether the alignment may scale.
     pub(crate) scale: bool,
-    /// The reflectors of the open session, where no file says them.
-    pub(crate) own_targets: Option<Vec<Target>>,
 }
 
 /// A file beside the measured one.

@@ -21,9 +21,7 @@ use crate::importers::{
 use crate::kinematics::Robot;
 use crate::pipeline::import_watched;
 use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError};
-use crate::sessions::Target;
 use crate::sessions::files::open;
-use crate::tables::as_cell;
 use crate::text::{Template, capital, spoken};
 
 /// A file that is longer, in bytes, is not read into memory.
@@ -297,8 +295,6 @@ impl Trial {
         let commands = beside(Companion::Commands)?;
         let reference = beside(Companion::Reference)?;
         let targets = beside(Companion::Targets)?;
-        let own = answers.own_targets.as_deref().map(table_of);
-        let of_session = |bytes| importers::Companion { bytes, file: None };
         let settings = Settings {
             name: answers.name.trim().to_owned(),
             commands: commands.as_ref().map(companion),
@@ -307,10 +303,7 @@ impl Trial {
             reference: reference.as_ref().map(companion),
             scale: answers.scale && reference.is_some(),
             in_measuring_order: answers.in_measuring_order,
-            targets: targets
-                .as_ref()
-                .map(companion)
-                .or(own.as_deref().map(of_session)),
+            targets: targets.as_ref().map(companion),
             ..Settings::new(answers.reading.clone(), robot)
         };
         let imported = import_watched(bytes, &settings, part.part(0.0, 0.6).watch())?;
@@ -324,16 +317,6 @@ impl Trial {
             alignment: imported.alignment,
         })
     }
-}
-
-/// Reflectors as a file of them has them.
-fn table_of(targets: &[Target]) -> Vec<u8> {
-    let row = |target: &Target| {
-        let [x, y, z] = target.position_mm.coords.into();
-        format!("{},{x},{y},{z}\n", as_cell(&target.name))
-    };
-    let rows: String = targets.iter().map(row).collect();
-    format!("name,x_mm,y_mm,z_mm\n{rows}").into_bytes()
 }
 
 type File = (PathBuf, Vec<u8>);

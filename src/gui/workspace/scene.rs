@@ -224,7 +224,6 @@ pub(super) fn in_space(
         body(pen, robot, camera);
     }
     samples(pen, workbench, shown, camera);
-    proposed(pen, workbench, space);
     emphasised(pen, workbench, shown, camera);
     frames(pen, workbench, robot, space);
     side_of_squares(pen, workbench, space);
@@ -280,26 +279,6 @@ fn side_of_squares(pen: Pen<'_>, workbench: &Workbench, space: &Space) {
     let says = say!("grid {square} {unit}", square, unit = units.length_name());
     let corner = space.camera.frame().left_bottom() + vec2(4.0, -4.0);
     pen.label(corner, Align2::LEFT_BOTTOM, says, pen.palette.muted);
-}
-
-/// Poses that a diagnosis proposes to measure: open diamonds where the target would be.
-fn proposed(pen: Pen<'_>, workbench: &Workbench, space: &Space) {
-    let session = &workbench.loaded_session().session;
-    let poses = workbench.diagnosis().map_or(&[][..], |d| &d.next_poses);
-    let joints = session.robot.joint_count();
-    for pose in poses.iter().filter(|pose| pose.q.len() == joints) {
-        let named = |name: &String| session.targets.iter().find(|t| t.name == *name);
-        let known = pose.target.as_ref().and_then(named);
-        let known = known.or(session.targets.first());
-        let target = match pose.target_mm {
-            Some(at) => Point3::from(at),
-            None => known.map_or_else(Point3::origin, |t| t.position_mm),
-        };
-        let at = session.robot.point_in_base(&pose.q, &target);
-        let at = space.camera.at(space.of_base(at.into()));
-        let edge = Stroke::new(1.5, pen.palette.accent);
-        pen.mark(at, (Form::Diamond, 3.85), Color32::TRANSPARENT, edge);
-    }
 }
 
 /// The frames of base, tool and instrument.

@@ -19,7 +19,6 @@ use crate::importers::{
 };
 use crate::language::spoken;
 use crate::present::table::{Cell, Column, Table};
-use crate::sessions::Target;
 
 /// The file in a line: rows, separator, encoding, unit.
 pub(super) fn found_out(now: &ImportDraft) -> String {
@@ -356,30 +355,11 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
 }
 
 /// Where the reflectors sit.
-pub(super) fn reflectors(
-    ui: &mut Ui,
-    open: &[Target],
-    draft: &mut ImportDraft,
-    workbench: &Workbench,
-) {
+pub(super) fn reflectors(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workbench) {
     ui.section(say!("Reflectors in the tool frame, if there are several"));
     let hint =
         say!("a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin");
     path(ui, Companion::Targets, hint, draft, workbench);
-    let answers = &mut draft.answers;
-    if open.len() > 1 && answers.file(Companion::Targets).is_empty() {
-        let names: Vec<&str> = open.iter().map(|target| &*target.name).collect();
-        let text = say!(
-            "those of the open session: {names}",
-            names = names.join(", ")
-        );
-        let mut taken = answers.own_targets.is_some();
-        if ui.checkbox(&mut taken, text).changed() {
-            answers.own_targets = taken.then(|| open.to_vec());
-        }
-    } else {
-        answers.own_targets = None;
-    }
 }
 
 /// A field for the path of a file, with a button that asks for it.

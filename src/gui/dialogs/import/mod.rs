@@ -60,8 +60,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) 
         file::commanded(ui, draft, workbench);
         file::order_of_rows(ui, &mut draft.answers);
         file::base_frame(ui, draft, workbench);
-        let open = &workbench.loaded_session().session.targets;
-        file::reflectors(ui, open, draft, workbench);
+        file::reflectors(ui, draft, workbench);
         result(ui, &seen, workbench.units());
         widgets::focus_in_sight(ui);
     });
