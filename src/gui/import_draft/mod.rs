@@ -168,18 +168,15 @@ impl ImportDraft {
     pub(crate) fn hindrance(&self) -> Option<String> {
         let inspection = &self.seen.inspection;
         let is_wrong = |finding: &&Diagnostic| finding.severity == Severity::Error;
-        let with = |says: &str, reason: Option<&String>| match reason {
-            Some(reason) => format!("{says}: {reason}"),
-            None => says.to_owned(),
-        };
+        let wrong = inspection.findings.iter().find(is_wrong);
+        let mut reason = None;
         let says = if !self.is_up_to_date() {
             spoken(LOOKING)
         } else if !inspection.questions.is_empty() {
             say!("Answer what is asked above first")
-        } else if let Some(wrong) = inspection.findings.iter().find(is_wrong) {
-            let reason = in_the_sheets_words(&wrong.to_string());
-            let says = say!("The file cannot be read like this");
-            return Some(with(says, Some(&reason)));
+        } else if let Some(wrong) = wrong {
+            reason = Some(in_the_sheets_words(&wrong.to_string()));
+            say!("The file cannot be read like this")
         } else if self.asks_for_confirmation() {
             say!("Look at the columns above, and confirm them")
         } else if self.answers.name.trim().is_empty() {
@@ -190,18 +187,22 @@ impl ImportDraft {
             match (&self.seen.robot, &self.seen.trial) {
                 (None, _) => say!("Say which file the robot is in"),
                 (Some(Err(because)), _) => {
-                    let says = say!("The robot cannot be read like this");
-                    return Some(with(says, because.first()));
+                    reason = because.first().cloned();
+                    say!("The robot cannot be read like this")
                 }
                 (_, Some(Ok(_))) => return None,
-                (_, Some(Err(because))) => return Some(with(say!("To fix"), because.first())),
+                (_, Some(Err(because))) => {
+                    reason = because.first().cloned();
+                    say!("To fix")
+                }
                 (_, None) if self.seen.lacks_commands => {
                     say!("Choose the file of the commanded positions: this one has none")
                 }
                 (_, None) => spoken(LOOKING),
             }
         };
-        Some(capital(says))
+        let reason = reason.map(|reason| format!(": {reason}"));
+        Some(capital(says) + &reason.unwrap_or_default())
     }
 
     /// What it makes of the file, where that went well.

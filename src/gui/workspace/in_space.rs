@@ -4,9 +4,7 @@
 //! What is drawn is what a plane shows, projected along the line of sight, so that vectors, colours,
 //! legend and robot are the same in both; only what has a depth is added here.
 
-use egui::{
-    Color32, Key, PointerButton, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo,
-};
+use egui::{Key, PointerButton, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo};
 
 use crate::gui::style::{Palette, space};
 use crate::gui::view::{Ball, Camera as ViewCamera};
@@ -105,11 +103,6 @@ pub(crate) fn robot_alone(
         palette: &palette,
     };
     body(pen, &drawn, &seen);
-    if response.has_focus() {
-        let ring = Stroke::new(1.0, palette.outline);
-        let inside = egui::StrokeKind::Inside;
-        painter.rect(rect, space::ROUND, Color32::TRANSPARENT, ring, inside);
-    }
     response
 }
 

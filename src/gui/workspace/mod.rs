@@ -61,18 +61,15 @@ pub(crate) fn in_picture(ctx: &Context, window: &ColorImage) -> Option<ColorImag
     shown.then(|| window.region(&rect, Some(ctx.pixels_per_point())))
 }
 
-/// What stands at the axes of the plane.
-fn axes(workbench: &Workbench) -> [String; 2] {
-    let unit = workbench.units().length_name();
-    let axes = workbench.view.plane.axes();
-    axes.map(|axis| format!("{}, {unit}", ["x", "y", "z"][axis]))
-}
-
 fn plane(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     let view = &workbench.view;
     let units = workbench.units();
-    let [mut across, upwards] = axes(workbench);
+    let unit = units.length_name();
+    let [mut across, upwards] = view
+        .plane
+        .axes()
+        .map(|axis| format!("{}, {unit}", ["x", "y", "z"][axis]));
     // In a low plot the axis below goes without its name, which the bar says as well.
     if ui.available_height() < legend::LOW {
         across.clear();

@@ -367,10 +367,6 @@ fn paint(ui: &Ui, response: &Response) {
     let radius = if busy { 7.5 } else { 6.0 };
     let edge = Stroke::new(2.0, palette.accent);
     painter.circle(response.rect.center(), radius, fill, edge);
-    if response.has_focus() {
-        let ring = Stroke::new(1.5, palette.accent);
-        painter.circle_stroke(response.rect.center(), radius + 3.5, ring);
-    }
 }
 
 #[cfg(test)]
