@@ -47,8 +47,29 @@ impl CallbackTrait for CloudLayer {
         encoder: &mut wgpu::CommandEncoder,
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
-        if let Some(drawer) = resources.get_mut::<Drawer>() {
-            self.upload_and_draw(drawer, device, queue, encoder);
+        let Some(drawer) = resources.get_mut::<Drawer>() else {
+            return Vec::new();
+        };
+        let mut rows = self.frame.rows;
+        rows[3][3] = if drawer.format.is_srgb() { 1.0 } else { 0.0 };
+        queue.write_buffer(&drawer.uniform, 0, bytemuck::cast_slice(&rows));
+        let most = device.limits().max_texture_dimension_2d;
+        let size = self.frame.size(most);
+        let mut anew = upload(device, &mut drawer.places, Some(&self.cloud), |cloud| {
+            &cloud.places
+        });
+        let remainder = self.remainder.as_ref();
+        anew |= upload(device, &mut drawer.remains, remainder, |left| &left.rows);
+        if drawer.target.as_ref().is_none_or(|t| t.size != size) {
+            drawer.target = Some(Target::new(device, &drawer.copy, size, drawer.format));
+            anew = true;
+        }
+        let now = (self.frame, self.counts, self.only.clone(), self.ghosts);
+        if anew || drawer.drawn.as_ref() != Some(&now) {
+            drawer.drawn = Some(now);
+            if let Some(target) = &drawer.target {
+                self.draw(drawer, &mut target.begin(encoder));
+            }
         }
         Vec::new()
     }
@@ -73,36 +94,6 @@ impl CloudLayer {
     /// The layer as a shape in this frame of a plot.
     pub(crate) fn shape(self, rect: Rect) -> Shape {
         Shape::Callback(Callback::new_paint_callback(rect, self))
-    }
-
-    fn upload_and_draw(
-        &self,
-        drawer: &mut Drawer,
-        device: &Device,
-        queue: &Queue,
-        encoder: &mut wgpu::CommandEncoder,
-    ) {
-        let mut rows = self.frame.rows;
-        rows[3][3] = if drawer.format.is_srgb() { 1.0 } else { 0.0 };
-        queue.write_buffer(&drawer.uniform, 0, bytemuck::cast_slice(&rows));
-        let most = device.limits().max_texture_dimension_2d;
-        let size = self.frame.size(most);
-        let mut anew = upload(device, &mut drawer.places, Some(&self.cloud), |cloud| {
-            &cloud.places
-        });
-        let remainder = self.remainder.as_ref();
-        anew |= upload(device, &mut drawer.remains, remainder, |left| &left.rows);
-        if drawer.target.as_ref().is_none_or(|t| t.size != size) {
-            drawer.target = Some(Target::new(device, &drawer.copy, size, drawer.format));
-            anew = true;
-        }
-        let now = (self.frame, self.counts, self.only.clone(), self.ghosts);
-        if anew || drawer.drawn.as_ref() != Some(&now) {
-            drawer.drawn = Some(now);
-            if let Some(target) = &drawer.target {
-                self.draw(drawer, &mut target.begin(encoder));
-            }
-        }
     }
 
     /// Draws the points, the deviations before, and the error vectors.

@@ -196,8 +196,10 @@ fn display(ui: &mut Ui, workbench: &Workbench) {
         if let Some(after) = workbench.answer() {
             ui.row(|ui| scale_for(ui, workbench, after.readable));
         }
-        if !workbench.view.in_space {
-            heat(ui, workbench);
+        let mut heat = workbench.view.heat;
+        let text = RichText::new(say!("heat map")).small();
+        if !workbench.view.in_space && ui.checkbox(&mut heat, text).changed() {
+            workbench.then(move |bench| bench.view.heat = heat);
         }
     });
 }
@@ -268,14 +270,5 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, after: Readable) {
         }
         Some(factor) => workbench.then(move |bench| bench.view.magnification = factor),
         None => {}
-    }
-}
-
-/// Whether the error between the samples is shown.
-fn heat(ui: &mut Ui, workbench: &Workbench) {
-    let mut shown = workbench.view.heat;
-    let text = RichText::new(say!("heat map")).small();
-    if ui.checkbox(&mut shown, text).changed() {
-        workbench.then(move |bench| bench.view.heat = shown);
     }
 }
