@@ -158,6 +158,9 @@ fn upload<T, R: bytemuck::Pod>(
     true
 }
 
+/// Where a picture goes, how many points and vectors it has, or which, and whether those before.
+type Drawn = (Frame, [usize; 2], Option<Vec<u32>>, bool);
+
 /// Everything that stays from frame to frame.
 pub(crate) struct Drawer {
     marks: Brush,
@@ -166,9 +169,8 @@ pub(crate) struct Drawer {
     copy: Brush,
     format: TextureFormat,
     target: Option<Target>,
-    /// What the picture follows from that was drawn last: where it goes, how many points and vectors, or which, and
-    /// whether those before.
-    drawn: Option<(Frame, [usize; 2], Option<Vec<u32>>, bool)>,
+    /// What the picture follows from that was drawn last.
+    drawn: Option<Drawn>,
     /// A frame as the shaders see it.
     uniform: Buffer,
     places: Uploaded<Cloud>,

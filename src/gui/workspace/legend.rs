@@ -4,7 +4,7 @@
 
 use egui::{
     Align2, Color32, FontId, Label, Link, Popup, PopupCloseBehavior, Pos2, Rect, RichText, Role,
-    Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Sense, Shape, Stroke, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 use crate::gui::core::overview::FEW;
@@ -117,7 +117,9 @@ pub(super) fn scale_in(
     if !notes.is_empty() {
         let notes = RichText::new(notes.join(" · ")).small().weak();
         let room = room.with_min_x(room.left() + SCALE);
-        ui.put(room, Label::new(notes).truncate());
+        let mut beside = ui.new_child(UiBuilder::new().max_rect(room));
+        beside.set_clip_rect(room);
+        beside.add(Label::new(notes).truncate());
     }
 }
 

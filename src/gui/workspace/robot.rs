@@ -1,8 +1,4 @@
-//! The robot that is drawn, at which pose: the nominal one, and the real one beside it.
-//!
-//! The real robot is the nominal chain with its tool displaced by the deviation, magnified as vectors
-//! are. What its joints between do the tool alone cannot tell: the displacement grows evenly along the
-//! chain from where the first axis lets go of it, which for a column is exact.
+//! The nominal robot, at which pose it is drawn, and its links and joints as capsules.
 
 use egui::{Color32, Pos2, Stroke};
 use nalgebra::{Isometry3, Point3, Vector3};

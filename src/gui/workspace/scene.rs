@@ -16,7 +16,7 @@ use crate::gui::style::{size, strong};
 use crate::gui::view::Ball;
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::fitting::{self, HANDLE, SECTOR};
-use crate::gui::workspace::model::{Dial, Shown, ball, shown};
+use crate::gui::workspace::model::{Dial, Shown, shown};
 use crate::gui::workspace::pen::{Camera, Pen};
 use crate::gui::workspace::pointer::marked;
 use crate::gui::workspace::robot::{Drawn, body};
@@ -176,37 +176,17 @@ fn names_of_regions(pen: Pen<'_>, dial: &Dial, regions: &[Region], camera: &Came
     }
 }
 
-/// Where everything is in a picture of space.
-pub(super) struct Space {
-    pub(super) camera: Camera,
-    /// The base in the measuring frame.
-    pub(super) base: Isometry3<f64>,
-    pub(super) ball: Ball,
-}
-
-impl Space {
-    /// In a plot here.
-    pub(super) fn new(workbench: &Workbench, rect: Rect) -> Self {
-        let size = [rect.width(), rect.height()].map(f64::from);
-        let ball = ball(workbench);
-        let mut bounds = workbench.view.camera.bounds(&ball, size);
-        // What is drawn has the coordinates of the measuring frame.
-        let (facing, base) = (workbench.facing(), workbench.base());
-        let shift = facing.flat(base.translation.vector.into());
-        for end in &mut bounds {
-            *end = [0, 1].map(|k| end[k] + shift[k]);
-        }
-        Self {
-            camera: Camera::showing(facing, bounds, rect),
-            base,
-            ball,
-        }
+/// The camera of a picture of space here, which shows this ball of the base frame.
+pub(super) fn in_sight(workbench: &Workbench, ball: &Ball, rect: Rect) -> Camera {
+    let size = [rect.width(), rect.height()].map(f64::from);
+    let mut bounds = workbench.view.camera.bounds(ball, size);
+    // What is drawn has the coordinates of the measuring frame.
+    let facing = workbench.facing();
+    let shift = facing.flat(workbench.base().translation.vector.into());
+    for end in &mut bounds {
+        *end = [0, 1].map(|k| end[k] + shift[k]);
     }
-
-    /// A point of the base frame in the measuring frame.
-    pub(super) fn of_base(&self, p: [f64; 3]) -> [f64; 3] {
-        (self.base * Point3::from(p)).into()
-    }
+    Camera::showing(facing, bounds, rect)
 }
 
 /// Grid, robot, samples and frames.
@@ -215,18 +195,17 @@ pub(super) fn in_space(
     workbench: &Workbench,
     shown: &Shown,
     robot: Option<&Drawn>,
-    space: &Space,
+    (ball, camera): (&Ball, &Camera),
 ) {
-    let camera = &space.camera;
-    grid(pen, workbench, space);
+    grid(pen, workbench, ball, camera);
     path(pen, shown, camera);
     if let Some(robot) = robot {
         body(pen, robot, camera);
     }
     samples(pen, workbench, shown, camera);
     emphasised(pen, workbench, shown, camera);
-    frames(pen, workbench, robot, space);
-    side_of_squares(pen, workbench, space);
+    frames(pen, workbench, robot, camera);
+    side_of_squares(pen, workbench, ball, camera);
 }
 
 /// Side of a square of the grid, mm: round in the unit of which `per_mm` are a millimetre, and so that there are a few
@@ -256,38 +235,40 @@ fn lines(ball: &Ball, per_mm: f64) -> Vec<[[f64; 3]; 2]> {
     lines
 }
 
-fn grid(pen: Pen<'_>, workbench: &Workbench, space: &Space) {
+fn grid(pen: Pen<'_>, workbench: &Workbench, ball: &Ball, camera: &Camera) {
+    let base = workbench.base();
     let per_mm = workbench.units().length_value(1.0);
     let axis = pen.palette.line.lerp_to_gamma(pen.palette.nominal, 0.4);
-    for ends in lines(&space.ball, per_mm) {
+    for ends in lines(ball, per_mm) {
         let through_origin = ends.iter().all(|p| p[0] == 0.0) || ends.iter().all(|p| p[1] == 0.0);
         let color = if through_origin {
             axis
         } else {
             pen.palette.line
         };
-        let ends = ends.map(|p| space.camera.at(space.of_base(p)));
+        let ends = ends.map(|p| camera.at((base * Point3::from(p)).into()));
         pen.line(ends, Stroke::new(1.0, color));
     }
 }
 
 /// How long the side of a square is, in the corner.
-fn side_of_squares(pen: Pen<'_>, workbench: &Workbench, space: &Space) {
+fn side_of_squares(pen: Pen<'_>, workbench: &Workbench, ball: &Ball, camera: &Camera) {
     let units = workbench.units();
     let per_mm = units.length_value(1.0);
-    let square = trimmed(units.length_value(square_mm(&space.ball, per_mm)), 3);
+    let square = trimmed(units.length_value(square_mm(ball, per_mm)), 3);
     let says = say!("grid {square} {unit}", square, unit = units.length_name());
-    let corner = space.camera.frame().left_bottom() + vec2(4.0, -4.0);
+    let corner = camera.frame().left_bottom() + vec2(4.0, -4.0);
     pen.label(corner, Align2::LEFT_BOTTOM, says, pen.palette.muted);
 }
 
 /// The frames of base, tool and instrument.
-fn frames(pen: Pen<'_>, workbench: &Workbench, robot: Option<&Drawn>, space: &Space) {
-    frame(pen, say!("base"), space.base, &space.camera);
+fn frames(pen: Pen<'_>, workbench: &Workbench, robot: Option<&Drawn>, camera: &Camera) {
+    let base = workbench.base();
+    frame(pen, say!("base"), base, camera);
     let session = &workbench.loaded_session().session;
     if let Some(robot) = robot.filter(|r| r.asked_for) {
-        let tool = space.base * session.robot.base_from_tool(&robot.q);
-        frame(pen, say!("tool"), tool, &space.camera);
+        let tool = base * session.robot.base_from_tool(&robot.q);
+        frame(pen, say!("tool"), tool, camera);
     }
     let instrument = &session.instrument;
     let own_frame = workbench.found_base().or(workbench.loaded_session().base);
@@ -295,7 +276,7 @@ fn frames(pen: Pen<'_>, workbench: &Workbench, robot: Option<&Drawn>, space: &Sp
     if let Some(at) = stands.or(own_frame.map(|_| Vector3::zeros())) {
         // A tracker that stands aside is seen from farther away.
         let at = Isometry3::from_parts(at.into(), UnitQuaternion::identity());
-        frame(pen, &instrument.name, at, &space.camera);
+        frame(pen, &instrument.name, at, camera);
     }
 }
 
