@@ -1,11 +1,11 @@
 //! Step 2: where the joint gets corrections of its own, one row each.
 
-use egui::{Align, DragValue, Grid, Layout, RichText, Ui, vec2};
+use egui::{Align, DragValue, FontId, Grid, Layout, RichText, Ui, vec2};
 
 use crate::diagnostic::Severity;
 use crate::gui::core::document::{Document, Method};
 use crate::gui::core::regions::{self, Count, Division, End, SNAP_DEG};
-use crate::gui::style::{Palette, space};
+use crate::gui::style::{Palette, size, space};
 use crate::gui::view::Step;
 use crate::gui::views::session;
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
@@ -158,10 +158,10 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     actions::go_on(ui, workbench, Step::Identify);
 }
 
-/// Widths of a name, of a number of samples, and of what can be done; the ends share what is left.
+/// Widths of a name, of a number of samples at least, and of what can be done; the ends share what is left.
 const COLUMNS: [f32; 3] = [38.0, 36.0, 26.0];
 /// Narrowest and widest field for an end: all digits that a boundary is shown with.
-const END: [f32; 2] = [60.0, 76.0];
+const END: [f32; 2] = [54.0, 76.0];
 /// Between the columns.
 const GAP: f32 = 5.0;
 const HEIGHT: f32 = 24.0;
@@ -171,9 +171,13 @@ const MOST_LISTED: usize = 60;
 fn rows(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     let regions = &workbench.document().regions;
     let unit = workbench.units().angle_name().trim();
-    let rest = ui.available_width() - COLUMNS.iter().sum::<f32>() - 4.0 * GAP;
+    let [name_wide, number, menu] = COLUMNS;
+    let font = FontId::proportional(size::SMALL);
+    let number = number.max(widgets::width_of(ui, say!("samples"), font));
+    let rest = ui.available_width() - (name_wide + number + menu + 4.0 * GAP);
     let end = (0.5 * rest).clamp(END[0], END[1]);
-    ui.spacing_mut().interact_size = vec2(COLUMNS[2], HEIGHT);
+    ui.spacing_mut().interact_size = vec2(menu, HEIGHT);
+    ui.spacing_mut().button_padding = vec2(4.0, 2.0);
     let grid = Grid::new("regions").spacing([GAP, 3.0]);
     grid.min_col_width(0.0).show(ui, |ui| {
         ui.caption(say!("name"));
@@ -213,7 +217,6 @@ fn of(region: &Region, what: &str) -> String {
 fn more(ui: &mut Ui, regions: &[Region], k: usize, workbench: &Workbench) {
     let next = regions::next_to(regions, k).map(|_| k);
     let first = next.or_else(|| regions::before(regions, k)).unwrap_or(k);
-    ui.spacing_mut().button_padding = vec2(4.0, 2.0);
     let menu = ui.menu_button("…", |ui| {
         ui.set_min_width(180.0);
         ui.button(say!("Split in half"))
