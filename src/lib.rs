@@ -136,7 +136,7 @@ pub use truepose_session::{importers, recorder, robots, sessions};
 use truepose_base::{atomic, lanes, numeric, sincos, unfinished};
 use truepose_calibrate::{answers, paper};
 use truepose_deliver::language;
-use truepose_session::{document, tables};
+use truepose_session::document;
 
 pub mod pipeline;
 #[cfg(all(test, debug_assertions, feature = "gui"))]

@@ -76,9 +76,9 @@ impl App {
     /// Draws samples on the graphics processor. Without one they are laid out, and nothing of them is seen: so the window
     /// is tested and measured.
     #[must_use]
-    pub fn drawn_by(mut self, state: Option<&egui_wgpu::RenderState>) -> Self {
+    pub fn drawn_by(self, state: Option<&egui_wgpu::RenderState>) -> Self {
         if let Some(state) = state {
-            self.workbench.view.most_drawn = layers::gpu::register(state);
+            layers::gpu::Drawer::register(state);
         }
         self
     }

@@ -229,19 +229,6 @@ fn notes_name_files_without_their_folders_and_warnings_stand_first() {
     assert!(!says(&window, &folder), "no absolute path");
 }
 
-#[test]
-fn what_lies_beside_a_dropped_file_is_offered() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let robot = crate::window::copy_of("paper-30", folder.path());
-    let measured = folder.path().join("tracker.csv");
-    std::fs::copy(robot.with_extension("csv"), &measured).expect("copied");
-    let mut window = window(Some(measured));
-    let offer = "Use paper-30.json: File of the robot";
-    press(&mut window, offer);
-    assert!(!there(&window, offer));
-    assert!(says(&window, "one joint that turns"));
-}
-
 /// Excludes a sample with the keyboard, or takes it in again.
 fn exclude(window: &mut Window, sample: usize) {
     press(window, &format!("row {sample}, number"));

@@ -53,50 +53,6 @@ fn a_table_with_semicolons_and_commas_becomes_a_session() {
 }
 
 #[test]
-fn what_is_named_like_the_file_is_taken_and_said() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = foreign(folder.path(), "q1_deg,x_mm,y_mm", ",", false, 1.0);
-    let sessions = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions");
-    for (from, to) in [
-        ("paper-run.json", "tracker.json"),
-        ("paper-run.csv", "paper-run.csv"),
-    ] {
-        fs::copy(sessions.join(from), folder.path().join(to)).expect("copied");
-    }
-    let table = fs::read_to_string(&path).expect("it is there");
-    // The file has its commands itself: these are not taken.
-    fs::write(folder.path().join("tracker-commands.csv"), &table).expect("written");
-    let mut window = window(None);
-    open(&mut window, &path);
-    assert!(says(&window, "Taken because its name is that of the file"));
-    assert!(there(
-        &window,
-        "Use tracker-commands.csv: File of the commands"
-    ));
-    press(&mut window, "Import");
-    assert!(says(&window, "361 samples · RMS error"));
-}
-
-#[test]
-fn commands_named_like_the_file_are_taken() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = foreign(folder.path(), "q1_deg,x_mm,y_mm", ",", false, 1.0);
-    let table = fs::read_to_string(&path).expect("it is there");
-    let part = |from: usize, to: usize| {
-        let cut = |line: &str| line.split(',').collect::<Vec<_>>()[from..to].join(",") + "\n";
-        table.lines().map(cut).collect::<String>()
-    };
-    fs::write(folder.path().join("tracker_commands.csv"), part(0, 1)).expect("written");
-    fs::write(&path, part(1, 3)).expect("written");
-    let mut window = window(None);
-    open(&mut window, &path);
-    assert!(says(&window, "Taken because its name is that of the file"));
-    press(&mut window, "that of the example The paper's full run");
-    press(&mut window, "Import");
-    assert!(says(&window, "361 samples · RMS error"));
-}
-
-#[test]
 fn a_unit_that_nobody_says_is_asked_for() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = foreign(folder.path(), "q1_deg,x,y", ",", false, 0.001);
@@ -402,36 +358,4 @@ fn a_robot_of_the_library_is_found_by_typing() {
         !says(&window, "KR 6 R900"),
         "what was typed is gone with it"
     );
-}
-
-#[test]
-fn reflectors_of_the_open_session_are_taken_again() {
-    let mut window = window(None);
-    let mut import = |reflectors: &mut dyn FnMut(&mut Window)| {
-        open(&mut window, &walk("tracker.txt"));
-        if there(&window, "Go on without saving") {
-            press(&mut window, "Go on without saving");
-        }
-        press(&mut window, "It is mm");
-        press(&mut window, "The columns are right");
-        press(&mut window, "from this file");
-        type_path(&mut window, "File of the robot", &walk("robot.json"));
-        type_path(&mut window, "File of the commands", &walk("commands.csv"));
-        press(&mut window, "by name");
-        reflectors(&mut window);
-        type_path(
-            &mut window,
-            "File of the known points",
-            &walk("base-points.csv"),
-        );
-        press(&mut window, "Import");
-        gaps(&window).0
-    };
-    let from_file = import(&mut |window| {
-        type_path(window, "File of the reflectors", &walk("reflectors.csv"));
-    });
-    let from_session = import(&mut |window| {
-        press(window, "those of the open session: T1, T2");
-    });
-    assert!((from_file - from_session).abs() < 1e-9, "{from_session}");
 }

@@ -69,18 +69,12 @@ pub(crate) fn choose_to_import(near: Option<&Path>) -> Option<PathBuf> {
 
 /// Asks the user for a file that goes with a measured one, beside that.
 pub(crate) fn choose_beside(which: Companion, measured: Option<&Path>) -> Option<PathBuf> {
-    let title = match which {
-        Companion::Robot => say!("File of the robot"),
-        Companion::Commands => say!("File of the commands"),
-        Companion::Reference => say!("File of the known points"),
-        Companion::Targets => say!("File of the reflectors"),
-    };
     let kind = if which == Companion::Robot {
         (say!("Robots and sessions"), ROBOTS)
     } else {
         (say!("Measurements"), TABLES)
     };
-    pick(measured, title, &[kind])
+    pick(measured, which.name(), &[kind])
 }
 
 const MEASUREMENTS: Template = phrase!("Measurements");

@@ -7,8 +7,7 @@
 
 mod answers;
 
-pub(crate) use answers::{Companion, ImportAnswers, RobotFrom};
-pub(crate) use answers::{Neighbours, ROBOTS, TABLES};
+pub(crate) use answers::{Companion, ImportAnswers, ROBOTS, RobotFrom, TABLES};
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -17,15 +16,12 @@ use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::gui::core::loaded_session::{LoadedSession, Origin};
 use crate::gui::jobs::Watch;
 use crate::importers::{
-    self, Alignment, ColumnGuess, IMPORTERS, Inspection, Matched, Reading, Settings,
-    inspect_watched,
+    self, Alignment, ColumnGuess, IMPORTERS, Inspection, Matched, Settings, inspect_watched,
 };
 use crate::kinematics::Robot;
 use crate::pipeline::import_watched;
 use crate::progress::{Cancelled, Progress, ProgressSpan, ReadError};
-use crate::sessions::Target;
 use crate::sessions::files::open;
-use crate::tables::as_cell;
 use crate::text::{Template, capital, spoken};
 
 /// A file that is longer, in bytes, is not read into memory.
@@ -53,18 +49,12 @@ pub(crate) struct InspectedDraft {
 pub(crate) struct ImportDraft {
     pub(crate) path: PathBuf,
     bytes: Arc<Vec<u8>>,
-    /// What lies beside it.
-    pub(crate) neighbours: Arc<Neighbours>,
-    /// What of it was taken because its name is that of the file.
-    pub(crate) taken: Vec<(Companion, PathBuf)>,
     /// What a person said.
     pub(crate) answers: ImportAnswers,
     /// What was typed to find a robot.
     pub(crate) robot_search: String,
     /// What was seen last.
     pub(crate) seen: Arc<InspectedDraft>,
-    /// The answers as the file was opened, before the user changed any.
-    first: Box<ImportAnswers>,
     /// The meanings of the columns that the user has looked at.
     confirmed: Option<Vec<String>>,
 }
@@ -108,48 +98,18 @@ impl ImportDraft {
     }
 
     fn read(path: &Path, bytes: Vec<u8>, part: ProgressSpan<'_>) -> Result<Self, ReadError> {
-        let name = path.file_stem().unwrap_or_default();
-        let mut answers = ImportAnswers {
-            name: name.to_string_lossy().into_owned(),
-            reading: Reading {
-                file: Some(path.to_path_buf()),
-                ..Reading::default()
-            },
-            ..ImportAnswers::default()
-        };
-        let neighbours = Neighbours::of(path);
-        let mut taken = neighbours.named_alike(path);
-        for (which, file) in &taken {
-            answers.choose(*which, file.to_string_lossy().into_owned());
-        }
-        let first = if answers.commands.is_empty() {
-            1.0
-        } else {
-            0.9
-        };
-        let mut seen = InspectedDraft::of(&bytes, path, &answers, part.part(0.0, first))?;
-        // A file that has its commands itself needs no others.
-        if !answers.commands.is_empty() && seen.inspection.columns.iter().any(is_command) {
-            taken.retain(|(which, _)| *which != Companion::Commands);
-            answers.commands.clear();
-            seen = InspectedDraft::of(&bytes, path, &answers, part.part(first, 1.0))?;
-        }
-        part.reached(1.0)?;
+        let answers = ImportAnswers::about(path);
+        let seen = InspectedDraft::of(&bytes, path, &answers, part)?;
         if seen.inspection.kind.is_none() {
             // Not even text: there is nothing that anybody could say about it.
-            return Err(Rejected {
-                diagnostics: seen.inspection.findings,
-            }
-            .into());
+            let diagnostics = seen.inspection.findings;
+            return Err(Rejected { diagnostics }.into());
         }
         Ok(Self {
             path: path.to_path_buf(),
             bytes: Arc::new(bytes),
-            neighbours: Arc::new(neighbours),
-            taken,
             answers,
             robot_search: String::new(),
-            first: Box::new(seen.answers.clone()),
             seen: Arc::new(seen),
             confirmed: None,
         })
@@ -157,19 +117,12 @@ impl ImportDraft {
 
     /// Whether the user answered or confirmed something that would be lost with it.
     pub(crate) fn holds_answers(&self) -> bool {
-        self.answers != *self.first || self.confirmed.is_some()
+        self.answers != ImportAnswers::about(&self.path) || self.confirmed.is_some()
     }
 
     /// Whether this is the same file with the same contents.
     pub(crate) fn is_of_the_file_of(&self, other: &Self) -> bool {
         self.path == other.path && self.bytes == other.bytes
-    }
-
-    /// Takes over the answers of an earlier draft of the same file.
-    pub(crate) fn resume(&mut self, before: Self) {
-        self.answers = before.answers;
-        self.robot_search = before.robot_search;
-        self.confirmed = before.confirmed;
     }
 
     /// Looks again, with what was said since.
@@ -215,18 +168,15 @@ impl ImportDraft {
     pub(crate) fn hindrance(&self) -> Option<String> {
         let inspection = &self.seen.inspection;
         let is_wrong = |finding: &&Diagnostic| finding.severity == Severity::Error;
-        let with = |says: &str, reason: Option<&String>| match reason {
-            Some(reason) => format!("{says}: {reason}"),
-            None => says.to_owned(),
-        };
+        let wrong = inspection.findings.iter().find(is_wrong);
+        let mut reason = None;
         let says = if !self.is_up_to_date() {
             spoken(LOOKING)
         } else if !inspection.questions.is_empty() {
             say!("Answer what is asked above first")
-        } else if let Some(wrong) = inspection.findings.iter().find(is_wrong) {
-            let reason = in_the_sheets_words(&wrong.to_string());
-            let says = say!("The file cannot be read like this");
-            return Some(with(says, Some(&reason)));
+        } else if let Some(wrong) = wrong {
+            reason = Some(in_the_sheets_words(&wrong.to_string()));
+            say!("The file cannot be read like this")
         } else if self.asks_for_confirmation() {
             say!("Look at the columns above, and confirm them")
         } else if self.answers.name.trim().is_empty() {
@@ -237,18 +187,22 @@ impl ImportDraft {
             match (&self.seen.robot, &self.seen.trial) {
                 (None, _) => say!("Say which file the robot is in"),
                 (Some(Err(because)), _) => {
-                    let says = say!("The robot cannot be read like this");
-                    return Some(with(says, because.first()));
+                    reason = because.first().cloned();
+                    say!("The robot cannot be read like this")
                 }
                 (_, Some(Ok(_))) => return None,
-                (_, Some(Err(because))) => return Some(with(say!("To fix"), because.first())),
+                (_, Some(Err(because))) => {
+                    reason = because.first().cloned();
+                    say!("To fix")
+                }
                 (_, None) if self.seen.lacks_commands => {
                     say!("Choose the file of the commanded positions: this one has none")
                 }
                 (_, None) => spoken(LOOKING),
             }
         };
-        Some(capital(says))
+        let reason = reason.map(|reason| format!(": {reason}"));
+        Some(capital(says) + &reason.unwrap_or_default())
     }
 
     /// What it makes of the file, where that went well.
@@ -275,7 +229,7 @@ impl InspectedDraft {
         answers: &ImportAnswers,
         part: ProgressSpan<'_>,
     ) -> Result<Self, Cancelled> {
-        let robot = answers.robot.robot();
+        let robot = answers.robot();
         let robot = robot.map(|robot| robot.map_err(|rejected| in_words(&rejected.diagnostics)));
         let known = robot.as_ref().and_then(|robot| robot.as_ref().ok());
         let mut reading = answers.reading.clone();
@@ -297,7 +251,7 @@ impl InspectedDraft {
                 Err(ReadError::Cancelled(cancelled)) => return Err(cancelled),
                 Err(ReadError::Rejected(rejected)) => {
                     let mut errors = rejected.diagnostics.iter().filter(|d| is_wrong(d));
-                    lacks_commands = answers.commands.trim().is_empty()
+                    lacks_commands = answers.file(Companion::Commands).is_empty()
                         && !inspection.columns.iter().any(is_command)
                         && errors.all(|error| error.expected.contains("--commands"));
                     (!lacks_commands).then(|| Err(in_words(&rejected.diagnostics)))
@@ -324,8 +278,6 @@ pub(crate) struct Trial {
     pub(crate) matched: Option<Matched>,
     /// How the points came into the base frame.
     pub(crate) alignment: Option<Alignment>,
-    /// Warnings and notes, in words.
-    pub(crate) notes: Vec<(Severity, String)>,
 }
 
 impl Trial {
@@ -340,11 +292,10 @@ impl Trial {
         robot: &Robot,
         part: ProgressSpan<'_>,
     ) -> Result<Self, ReadError> {
-        let commands = read(&answers.commands)?;
-        let reference = read(&answers.reference)?;
-        let targets = read(&answers.targets)?;
-        let own = answers.own_targets.as_deref().map(table_of);
-        let of_session = |bytes| importers::Companion { bytes, file: None };
+        let beside = |which| read(answers.file(which));
+        let commands = beside(Companion::Commands)?;
+        let reference = beside(Companion::Reference)?;
+        let targets = beside(Companion::Targets)?;
         let settings = Settings {
             name: answers.name.trim().to_owned(),
             commands: commands.as_ref().map(companion),
@@ -353,16 +304,11 @@ impl Trial {
             reference: reference.as_ref().map(companion),
             scale: answers.scale && reference.is_some(),
             in_measuring_order: answers.in_measuring_order,
-            targets: targets
-                .as_ref()
-                .map(companion)
-                .or(own.as_deref().map(of_session)),
+            targets: targets.as_ref().map(companion),
             ..Settings::new(answers.reading.clone(), robot)
         };
         let imported = import_watched(bytes, &settings, part.part(0.0, 0.6).watch())?;
         let findings = imported.findings;
-        let note = |finding: &Diagnostic| (finding.severity, in_the_windows_words(finding));
-        let notes = findings.iter().map(note).collect();
         let origin = Origin::Imported(path.to_path_buf());
         let looking = part.part(0.6, 1.0);
         let loaded_session = LoadedSession::watched(imported.session, findings, origin, looking)?;
@@ -370,25 +316,13 @@ impl Trial {
             loaded_session: Arc::new(loaded_session),
             matched: imported.matched,
             alignment: imported.alignment,
-            notes,
         })
     }
-}
-
-/// Reflectors as a file of them has them.
-fn table_of(targets: &[Target]) -> Vec<u8> {
-    let row = |target: &Target| {
-        let [x, y, z] = target.position_mm.coords.into();
-        format!("{},{x},{y},{z}\n", as_cell(&target.name))
-    };
-    let rows: String = targets.iter().map(row).collect();
-    format!("name,x_mm,y_mm,z_mm\n{rows}").into_bytes()
 }
 
 type File = (PathBuf, Vec<u8>);
 
 fn read(typed: &str) -> Result<Option<File>, Rejected> {
-    let typed = typed.trim();
     if typed.is_empty() {
         return Ok(None);
     }

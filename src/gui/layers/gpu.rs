@@ -3,33 +3,25 @@
 //!
 //! In space what is near covers what is far, and the pass in which egui draws has no depth. So the
 //! samples are drawn into a picture of their own, with a buffer of depths beside it, before that pass,
-//! and in it the picture is copied; in a plane all are equally deep. It is drawn again only when samples, camera or colours change: while
-//! the pointer moves over a million vectors a frame copies one picture.
+//! and in it the picture is copied; in a plane all are equally deep. It is drawn again only when samples, camera or
+//! colours change: while the pointer moves over a million vectors a frame copies one picture.
 
-use std::sync::{Arc, Weak};
+use std::sync::Arc;
 
 use egui::{PaintCallbackInfo, Rect, Shape};
 use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
 use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
-use wgpu::{Buffer, BufferUsages, Device, Queue};
+use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat};
 
 use crate::gui::core::loaded_session::{Cloud, Place, Remainder, RemainderRow};
-use crate::gui::layers::{DEPTH, Frame, SAMPLE, columns, group, pipeline, pipeline_layout, shader};
+use crate::gui::layers::Frame;
 
-/// What a renderer without a graphics processor draws at once: about a tenth of a second.
-const MOST_IN_SOFTWARE: usize = 50_000;
+/// So many samples stay on the graphics processor, in buffers far below the 256 MiB that every device offers: an even
+/// part of more, and more than anybody tells apart.
+pub(crate) const MOST: usize = 4 << 20;
 
-/// Puts the pipelines beside egui's own, and says how many samples can be drawn at once.
-pub(crate) fn register(state: &RenderState) -> usize {
-    let drawer = Drawer::new(&state.device, state.target_format);
-    let mut renderer = state.renderer.write();
-    renderer.callback_resources.insert(drawer);
-    if state.adapter.get_info().device_type == wgpu::DeviceType::Cpu {
-        MOST_IN_SOFTWARE
-    } else {
-        usize::MAX
-    }
-}
+/// How near what is drawn in space is.
+const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 
 /// Error vectors and measured points.
 pub(crate) struct CloudLayer {
@@ -40,6 +32,8 @@ pub(crate) struct CloudLayer {
     pub(crate) frame: Frame,
     /// So many of their points, and so many of their vectors.
     pub(crate) counts: [usize; 2],
+    /// The vectors of these places of the cloud instead.
+    pub(crate) only: Option<Vec<u32>>,
     /// Whether the deviations before are drawn as well.
     pub(crate) ghosts: bool,
 }
@@ -53,8 +47,29 @@ impl CallbackTrait for CloudLayer {
         encoder: &mut wgpu::CommandEncoder,
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
-        if let Some(drawer) = resources.get_mut::<Drawer>() {
-            self.upload_and_draw(drawer, device, queue, encoder);
+        let Some(drawer) = resources.get_mut::<Drawer>() else {
+            return Vec::new();
+        };
+        let mut rows = self.frame.rows;
+        rows[3][3] = if drawer.format.is_srgb() { 1.0 } else { 0.0 };
+        queue.write_buffer(&drawer.uniform, 0, bytemuck::cast_slice(&rows));
+        let most = device.limits().max_texture_dimension_2d;
+        let size = self.frame.size(most);
+        let mut anew = upload(device, &mut drawer.places, Some(&self.cloud), |cloud| {
+            &cloud.places
+        });
+        let remainder = self.remainder.as_ref();
+        anew |= upload(device, &mut drawer.remains, remainder, |left| left);
+        if drawer.target.as_ref().is_none_or(|t| t.size != size) {
+            drawer.target = Some(Target::new(device, &drawer.copy, size, drawer.format));
+            anew = true;
+        }
+        let now = (self.frame, self.counts, self.only.clone(), self.ghosts);
+        if anew || drawer.drawn.as_ref() != Some(&now) {
+            drawer.drawn = Some(now);
+            if let Some(target) = &drawer.target {
+                self.draw(drawer, &mut target.begin(encoder));
+            }
         }
         Vec::new()
     }
@@ -65,12 +80,10 @@ impl CallbackTrait for CloudLayer {
         pass: &mut wgpu::RenderPass<'static>,
         resources: &CallbackResources,
     ) {
-        let Some(drawer) = resources.get::<Drawer>() else {
-            return;
-        };
-        if let Some(target) = &drawer.target {
-            pass.set_pipeline(&drawer.copy);
-            pass.set_bind_group(0, &drawer.frame, &[]);
+        if let Some(drawer) = resources.get::<Drawer>()
+            && let Some(target) = &drawer.target
+        {
+            drawer.copy.begin(pass);
             pass.set_bind_group(1, &target.group, &[]);
             pass.draw(0..3, 0..1);
         }
@@ -83,207 +96,203 @@ impl CloudLayer {
         Shape::Callback(Callback::new_paint_callback(rect, self))
     }
 
-    fn upload_and_draw(
-        &self,
-        drawer: &mut Drawer,
-        device: &Device,
-        queue: &Queue,
-        encoder: &mut wgpu::CommandEncoder,
-    ) {
-        drawer.upload_cloud(device, &self.cloud);
-        drawer.upload_remainder(device, &self.cloud, self.remainder.as_ref());
-        let mut rows = self.frame.rows;
-        rows[3][3] = if drawer.format.is_srgb() { 1.0 } else { 0.0 };
-        queue.write_buffer(&drawer.uniform, 0, bytemuck::cast_slice(&rows));
-        let most = device.limits().max_texture_dimension_2d;
-        let size = self.frame.size(most);
-        if drawer.target.as_ref().is_none_or(|t| t.size != size) {
-            let target = Target::new(device, &drawer.picture_layout, size, drawer.format);
-            drawer.target = Some(target);
-            drawer.drawn = None;
-        }
-        let now = (self.frame, self.counts, self.ghosts, drawer.uploads);
-        if drawer.drawn == Some(now) {
-            return;
-        }
-        drawer.drawn = Some(now);
-        if let Some(target) = &drawer.target {
-            self.draw(drawer, &mut target.begin(encoder));
-        }
-    }
-
     /// Draws the points, the deviations before, and the error vectors.
     fn draw(&self, drawer: &Drawer, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_bind_group(0, &drawer.frame, &[]);
-        let [points, vectors] = self.counts;
-        drawer.draw(pass, &drawer.marks, points);
-        if self.ghosts {
-            drawer.draw(pass, &drawer.ghosts, vectors);
+        let Some((_, places)) = &drawer.places else {
+            return;
+        };
+        // Without an answer nothing is read of what it leaves.
+        let remains = drawer.remains.as_ref().map_or(places, |(_, rows)| rows);
+        pass.set_vertex_buffer(0, places.slice(..));
+        pass.set_vertex_buffer(1, remains.slice(..));
+        let [places, rows] = [
+            (places, size_of::<Place>()),
+            (remains, size_of::<RemainderRow>()),
+        ]
+        .map(|(buffer, row)| buffer.size() / row as u64);
+        let all = u32::try_from(places.min(rows)).unwrap_or(u32::MAX);
+        let [points, vectors] = self
+            .counts
+            .map(|n| u32::try_from(n).map_or(all, |n| n.min(all)));
+        drawer.marks.begin(pass);
+        pass.draw(0..6, 0..points);
+        let kinds = [&drawer.ghosts, &drawer.arrows];
+        for kind in &kinds[usize::from(!self.ghosts)..] {
+            kind.begin(pass);
+            match &self.only {
+                None => pass.draw(0..6, 0..vectors),
+                Some(only) => {
+                    for place in only.iter().filter(|place| **place < all) {
+                        pass.draw(0..6, *place..place + 1);
+                    }
+                }
+            }
         }
-        drawer.draw(pass, &drawer.arrows, vectors);
     }
 }
 
-/// Samples in one buffer: far below the 256 MiB that every device offers.
-const CHUNK: usize = 1 << 20;
+/// What was uploaded, of what.
+type Uploaded<T> = Option<(Arc<T>, Buffer)>;
+
+/// Uploads rows of this, unless they are there. Whether anything has changed.
+fn upload<T, R: bytemuck::Pod>(
+    device: &Device,
+    there: &mut Uploaded<T>,
+    of: Option<&Arc<T>>,
+    rows: impl Fn(&T) -> &Vec<R>,
+) -> bool {
+    let of = of.filter(|of| !rows(of).is_empty());
+    if there.as_ref().map(|(of, _)| Arc::as_ptr(of)) == of.map(Arc::as_ptr) {
+        return false;
+    }
+    *there = of.map(|of| {
+        let rows = rows(of);
+        let contents = bytemuck::cast_slice(&rows[..rows.len().min(MOST)]);
+        let buffer = device.create_buffer_init(&BufferInitDescriptor {
+            label: Some("samples"),
+            contents,
+            usage: BufferUsages::VERTEX,
+        });
+        (Arc::clone(of), buffer)
+    });
+    true
+}
+
+/// Where a picture goes, how many points and vectors it has, or which, and whether those before.
+type Drawn = (Frame, [usize; 2], Option<Vec<u32>>, bool);
 
 /// Everything that stays from frame to frame.
 pub(crate) struct Drawer {
-    marks: wgpu::RenderPipeline,
-    ghosts: wgpu::RenderPipeline,
-    arrows: wgpu::RenderPipeline,
-    copy: wgpu::RenderPipeline,
-    format: wgpu::TextureFormat,
+    marks: Brush,
+    ghosts: Brush,
+    arrows: Brush,
+    copy: Brush,
+    format: TextureFormat,
     target: Option<Target>,
-    /// What the picture follows from that was drawn last: where it goes, how many points and vectors, whether those
-    /// before, and how often was uploaded.
-    drawn: Option<(Frame, [usize; 2], bool, u64)>,
-    /// Of a picture that is read pixel by pixel.
-    picture_layout: wgpu::BindGroupLayout,
-    /// A frame as the shaders see it, and how they read it.
+    /// What the picture follows from that was drawn last.
+    drawn: Option<Drawn>,
+    /// A frame as the shaders see it.
     uniform: Buffer,
-    frame: wgpu::BindGroup,
-    places: (Weak<Cloud>, Vec<Buffer>),
-    /// Whose remainder, what remains, and where it is.
-    remains: (Weak<Cloud>, Option<Weak<Remainder>>, Vec<Buffer>),
-    /// How often samples or what remains of them were uploaded.
-    uploads: u64,
+    places: Uploaded<Cloud>,
+    remains: Uploaded<Remainder>,
 }
 
 impl Drawer {
-    fn new(device: &Device, format: wgpu::TextureFormat) -> Self {
-        let layout = |label, visibility, ty| {
-            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some(label),
-                entries: &[wgpu::BindGroupLayoutEntry {
-                    binding: 0,
-                    visibility,
-                    ty,
-                    count: None,
-                }],
-            })
-        };
-        let frame_layout = layout(
-            "frame",
-            wgpu::ShaderStages::VERTEX_FRAGMENT,
-            wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
-        );
-        let picture_layout = layout(
-            "picture of a layer",
-            wgpu::ShaderStages::FRAGMENT,
-            wgpu::BindingType::Texture {
-                sample_type: wgpu::TextureSampleType::Float { filterable: false },
-                view_dimension: wgpu::TextureViewDimension::D2,
-                multisampled: false,
-            },
-        );
-        let samples = pipeline_layout(device, &[Some(&frame_layout)]);
-        let both = pipeline_layout(device, &[Some(&frame_layout), Some(&picture_layout)]);
-        let arrows = shader(device, &[SAMPLE, include_str!("arrows.wgsl")]);
-        let marks = shader(device, &[SAMPLE, include_str!("marks.wgsl")]);
-        let copy = shader(device, &[include_str!("copy.wgsl")]);
-        let of_samples =
-            |module, vertex| pipeline(device, &samples, module, vertex, &columns(), format, true);
+    /// Puts the pipelines beside egui's own.
+    pub(crate) fn register(state: &RenderState) {
+        let (device, format) = (&state.device, state.target_format);
         let uniform = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("frame of a layer"),
             size: size_of::<Frame>() as u64,
             usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        Self {
-            marks: of_samples(&marks, "mark"),
-            ghosts: of_samples(&arrows, "ghost"),
-            arrows: of_samples(&arrows, "arrow"),
-            copy: pipeline(device, &both, &copy, "everywhere", &[], format, false),
+        let module = device.create_shader_module(wgpu::include_wgsl!("layers.wgsl"));
+        let brush = |vertex, fragment| {
+            let pipeline = pipeline(device, &module, [vertex, fragment], format);
+            let frame = group(device, &pipeline, 0, uniform.as_entire_binding());
+            Brush { pipeline, frame }
+        };
+        let drawer = Self {
+            marks: brush("mark", "mark_covers"),
+            ghosts: brush("ghost", "arrow_covers"),
+            arrows: brush("arrow", "arrow_covers"),
+            copy: brush("everywhere", "copied"),
             format,
             target: None,
             drawn: None,
-            uploads: 0,
-            frame: group(device, &frame_layout, uniform.as_entire_binding()),
             uniform,
-            picture_layout,
-            places: (Weak::new(), Vec::new()),
-            remains: (Weak::new(), None, Vec::new()),
-        }
-    }
-
-    fn upload_cloud(&mut self, device: &Device, cloud: &Arc<Cloud>) {
-        if !std::ptr::eq(self.places.0.as_ptr(), Arc::as_ptr(cloud)) {
-            let chunks = cloud.places.chunks(CHUNK);
-            let buffers = chunks.map(|chunk| vertices(device, bytemuck::cast_slice(chunk)));
-            self.places = (Arc::downgrade(cloud), buffers.collect());
-            self.uploads += 1;
-        }
-    }
-
-    fn upload_remainder(
-        &mut self,
-        device: &Device,
-        cloud: &Arc<Cloud>,
-        remainder: Option<&Arc<Remainder>>,
-    ) {
-        let (of, there, _) = &self.remains;
-        let same = match (there, remainder) {
-            (None, None) => true,
-            (Some(there), Some(remainder)) => std::ptr::eq(there.as_ptr(), Arc::as_ptr(remainder)),
-            _ => false,
+            places: None,
+            remains: None,
         };
-        if same && std::ptr::eq(of.as_ptr(), Arc::as_ptr(cloud)) {
-            return;
-        }
-        let buffers = if let Some(remainder) = remainder {
-            let chunks = remainder.chunks(CHUNK);
-            let buffer = |chunk| vertices(device, bytemuck::cast_slice(chunk));
-            chunks.map(buffer).collect()
-        } else {
-            // Nothing is left of nothing: a new buffer holds zeros.
-            let chunks = cloud.places.chunks(CHUNK);
-            chunks.map(|chunk| zeros(device, chunk.len())).collect()
-        };
-        self.remains = (
-            Arc::downgrade(cloud),
-            remainder.map(Arc::downgrade),
-            buffers,
-        );
-        self.uploads += 1;
-    }
-
-    /// Draws the first `count` samples with this pipeline.
-    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, count: usize) {
-        pass.set_pipeline(pipeline);
-        let mut left = count;
-        for (places, remains) in self.places.1.iter().zip(&self.remains.2) {
-            let size = places.size() / size_of::<Place>() as u64;
-            let now = left.min(usize::try_from(size).unwrap_or(usize::MAX));
-            if now == 0 {
-                return;
-            }
-            pass.set_vertex_buffer(0, places.slice(..));
-            pass.set_vertex_buffer(1, remains.slice(..));
-            pass.draw(0..6, 0..u32::try_from(now).unwrap_or(u32::MAX));
-            left -= now;
-        }
+        state.renderer.write().callback_resources.insert(drawer);
     }
 }
 
-fn vertices(device: &Device, contents: &[u8]) -> Buffer {
-    device.create_buffer_init(&BufferInitDescriptor {
-        label: Some("samples"),
-        contents,
-        usage: BufferUsages::VERTEX,
+/// What draws one kind of things, with the frame that it reads.
+struct Brush {
+    pipeline: wgpu::RenderPipeline,
+    frame: wgpu::BindGroup,
+}
+
+impl Brush {
+    fn begin(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &self.frame, &[]);
+    }
+}
+
+/// A pipeline with these vertex and fragment functions. What is drawn of samples, a [`Place`] and a [`RemainderRow`] of
+/// each, has a depth: what is near covers what is far.
+fn pipeline(
+    device: &Device,
+    module: &wgpu::ShaderModule,
+    [vertex, fragment]: [&str; 2],
+    format: TextureFormat,
+) -> wgpu::RenderPipeline {
+    const PLACE: [wgpu::VertexAttribute; 2] =
+        wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
+    const REMAINS: [wgpu::VertexAttribute; 2] =
+        wgpu::vertex_attr_array![2 => Float32x3, 3 => Float32];
+    let of_samples = vertex != "everywhere";
+    let columns = [
+        (size_of::<Place>(), &PLACE),
+        (size_of::<RemainderRow>(), &REMAINS),
+    ];
+    let columns = columns.map(|(stride, attributes)| {
+        Some(wgpu::VertexBufferLayout {
+            array_stride: stride as u64,
+            step_mode: wgpu::VertexStepMode::Instance,
+            attributes,
+        })
+    });
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(vertex),
+        layout: None,
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some(vertex),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: if of_samples { &columns } else { &[] },
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: of_samples.then(|| wgpu::DepthStencilState {
+            format: DEPTH,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::LessEqual),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }),
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some(fragment),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(wgpu::ColorTargetState {
+                format,
+                blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+                write_mask: wgpu::ColorWrites::ALL,
+            })],
+        }),
+        multiview_mask: None,
+        cache: None,
     })
 }
 
-fn zeros(device: &Device, rows: usize) -> Buffer {
-    device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("nothing left"),
-        size: (rows * size_of::<RemainderRow>()) as u64,
-        usage: BufferUsages::VERTEX,
-        mapped_at_creation: false,
+/// The one thing that a pipeline reads as this group.
+fn group(
+    device: &Device,
+    pipeline: &wgpu::RenderPipeline,
+    index: u32,
+    resource: wgpu::BindingResource<'_>,
+) -> wgpu::BindGroup {
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("what a layer reads"),
+        layout: &pipeline.get_bind_group_layout(index),
+        entries: &[wgpu::BindGroupEntry {
+            binding: 0,
+            resource,
+        }],
     })
 }
 
@@ -296,12 +305,7 @@ struct Target {
 }
 
 impl Target {
-    fn new(
-        device: &Device,
-        layout: &wgpu::BindGroupLayout,
-        size: [u32; 2],
-        format: wgpu::TextureFormat,
-    ) -> Self {
+    fn new(device: &Device, copy: &Brush, size: [u32; 2], format: TextureFormat) -> Self {
         let texture = |format, usage| {
             let texture = device.create_texture(&wgpu::TextureDescriptor {
                 label: Some("samples"),
@@ -321,12 +325,11 @@ impl Target {
         };
         let picture = texture(format, wgpu::TextureUsages::TEXTURE_BINDING);
         let read = wgpu::BindingResource::TextureView(&picture);
-        let group = group(device, layout, read);
         Self {
             size,
             depth: texture(DEPTH, wgpu::TextureUsages::empty()),
+            group: group(device, &copy.pipeline, 1, read),
             picture,
-            group,
         }
     }
 
@@ -389,6 +392,7 @@ mod tests {
                 remainder: Some(Arc::clone(&remainder)),
                 frame: Frame::new(&look, &LIGHT, &transform(), 2.0),
                 counts: [2; 2],
+                only: None,
                 ghosts: false,
             };
             layer.shape(frame())

@@ -9,8 +9,7 @@
 //! - Model: the samples as they are uploaded, in [`loaded_session`](crate::gui::core::loaded_session); `heat` (the error
 //!   over the plane), in [`cache`](crate::gui::cache).
 //! - Layout, here: where all of it goes in this frame, the uniform of all shaders, worked out without any of them;
-//!   how shaders are put together, and what they read (`frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl` and
-//!   `copy.wgsl`); the heat map as a picture that lies in the plot.
+//!   the heat map as a picture that lies in the plot.
 //! - Paint: `gpu` (what egui calls back, in space by depth and in a picture of their own, and what stays on the
 //!   graphics processor).
 
@@ -20,16 +19,14 @@ mod tests;
 
 use egui::{Color32, ColorImage, Rect, Shape, TextureId, pos2};
 use egui_plot::{PlotPoint, PlotTransform};
-use wgpu::Device;
 
 use crate::numeric::single;
 
 use crate::gui::cache::heat::Heat;
-use crate::gui::core::loaded_session::{Place, RemainderRow};
 use crate::gui::style::{Palette, STOPS};
 use crate::gui::view::Facing;
 
-/// Rows of four numbers; `frame.wgsl` names them.
+/// Rows of four numbers; `layers.wgsl` names them.
 const ROWS: usize = 16;
 
 /// Width of an error vector, points, at any zoom.
@@ -180,107 +177,6 @@ pub(crate) fn scale_at(palette: &Palette, part: f32) -> Color32 {
 fn straight(color: Color32, opacity: f32) -> [f32; 4] {
     let [r, g, b] = [color.r(), color.g(), color.b()].map(|c| f32::from(c) / 255.0);
     [r, g, b, opacity]
-}
-
-/// What arrows and marks are both drawn from.
-const SAMPLE: &str = include_str!("sample.wgsl");
-
-fn shader(device: &Device, own: &[&str]) -> wgpu::ShaderModule {
-    let source = include_str!("frame.wgsl").to_owned() + &own.concat();
-    device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("layer"),
-        source: wgpu::ShaderSource::Wgsl(source.into()),
-    })
-}
-
-fn pipeline_layout(
-    device: &Device,
-    groups: &[Option<&wgpu::BindGroupLayout>],
-) -> wgpu::PipelineLayout {
-    device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some("layer"),
-        bind_group_layouts: groups,
-        immediate_size: 0,
-    })
-}
-
-/// A [`Place`] and a row of a [`Remainder`], one of each for each instance.
-fn columns() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
-    const PLACE: [wgpu::VertexAttribute; 2] =
-        wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
-    const REMAINS: [wgpu::VertexAttribute; 2] =
-        wgpu::vertex_attr_array![2 => Float32x3, 3 => Float32];
-    let layout = |stride: usize, attributes| wgpu::VertexBufferLayout {
-        array_stride: stride as u64,
-        step_mode: wgpu::VertexStepMode::Instance,
-        attributes,
-    };
-    [
-        Some(layout(size_of::<Place>(), &PLACE)),
-        Some(layout(size_of::<RemainderRow>(), &REMAINS)),
-    ]
-}
-
-/// How near what is drawn in space is.
-const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-
-/// A pipeline with this vertex function; with `depth` what is near covers what is far.
-fn pipeline(
-    device: &Device,
-    layout: &wgpu::PipelineLayout,
-    module: &wgpu::ShaderModule,
-    vertex: &str,
-    buffers: &[Option<wgpu::VertexBufferLayout<'_>>],
-    format: wgpu::TextureFormat,
-    depth: bool,
-) -> wgpu::RenderPipeline {
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(vertex),
-        layout: Some(layout),
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some(vertex),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers,
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: depth.then(|| wgpu::DepthStencilState {
-            format: DEPTH,
-            depth_write_enabled: Some(true),
-            depth_compare: Some(wgpu::CompareFunction::LessEqual),
-            stencil: wgpu::StencilState::default(),
-            bias: wgpu::DepthBiasState::default(),
-        }),
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some("covered"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(wgpu::ColorTargetState {
-                format,
-                blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
-                write_mask: wgpu::ColorWrites::ALL,
-            })],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
-}
-
-/// A group of one thing that a shader reads.
-fn group(
-    device: &Device,
-    layout: &wgpu::BindGroupLayout,
-    resource: wgpu::BindingResource<'_>,
-) -> wgpu::BindGroup {
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("what a layer reads"),
-        layout,
-        entries: &[wgpu::BindGroupEntry {
-            binding: 0,
-            resource,
-        }],
-    })
 }
 
 #[cfg(test)]

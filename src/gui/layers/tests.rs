@@ -14,7 +14,7 @@ use egui_wgpu::RendererOptions;
 use crate::gui::style::{DARK, LIGHT, Palette};
 use crate::gui::view::Plane;
 
-use super::gpu::{CloudLayer, register};
+use super::gpu::{CloudLayer, Drawer};
 use super::{Frame, HEAT, LayerOptions, WIDTH, heat_map, map_in_plot, scale_at};
 use crate::gui::cache::heat::{Heat, SIGMA};
 use crate::gui::core::loaded_session::{Cloud, Place, Remainder};
@@ -51,7 +51,7 @@ pub(super) fn drawn(
     shape: impl Fn(&egui::Context) -> egui::Shape + 'static,
 ) -> Picture {
     let state = create_render_state(default_wgpu_setup(), RendererOptions::PREDICTABLE);
-    register(&state);
+    Drawer::register(&state);
     let mut harness = Harness::builder()
         .with_size(SIZE)
         .with_pixels_per_point(pixels)
@@ -159,6 +159,7 @@ fn compare_arrows(pixels: f32, palette: Palette, blend: f32) {
             remainder: Some(Arc::clone(&remainder)),
             frame: Frame::new(&look, &palette, &transform(), pixels),
             counts: [ARROWS.len(); 2],
+            only: None,
             ghosts: false,
         };
         layer.shape(frame())
@@ -253,6 +254,7 @@ fn compare_marks(pixels: f32, palette: Palette) {
             remainder: Some(Arc::clone(&remainder)),
             frame: Frame::new(&look, &palette, &transform(), pixels),
             counts: [ARROWS.len(), 0],
+            only: None,
             ghosts: false,
         };
         layer.shape(frame())
@@ -399,6 +401,7 @@ fn a_cloud_that_has_changed_is_uploaded_again() {
             remainder: now.1,
             frame: Frame::new(&look(0.0), &LIGHT, &transform(), 1.0),
             counts: [now.0.samples.len(); 2],
+            only: None,
             ghosts: false,
         };
         layer.shape(frame())

@@ -106,8 +106,6 @@ pub(crate) struct ViewState {
     pub(crate) blend: f32,
     /// Whether the heat map is shown.
     pub(crate) heat: bool,
-    /// So many samples can be drawn at once.
-    pub(crate) most_drawn: usize,
     /// The component that charts show.
     pub(crate) component: Component,
     /// Whether the chart leaves out the deviation before, so that what is left can be seen.
@@ -213,7 +211,6 @@ impl ViewState {
         Self {
             plot_size: ROOM,
             blend: 1.0,
-            most_drawn: usize::MAX,
             ..Self::default()
         }
     }

@@ -1,11 +1,11 @@
 //! Step 2: where the joint gets corrections of its own, one row each.
 
-use egui::{Align, DragValue, Layout, RichText, Ui, vec2};
+use egui::{Align, DragValue, FontId, Grid, Layout, RichText, Ui, vec2};
 
 use crate::diagnostic::Severity;
 use crate::gui::core::document::{Document, Method};
 use crate::gui::core::regions::{self, Count, Division, End, SNAP_DEG};
-use crate::gui::style::{Palette, space};
+use crate::gui::style::{Palette, size, space};
 use crate::gui::view::Step;
 use crate::gui::views::session;
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
@@ -46,15 +46,15 @@ fn division(ui: &mut Ui, workbench: &Workbench) {
     let present = document.regions.len();
     let number = if present == 0 { OFFERED } else { present };
     let kinds = [
-        (0, say!("Uniform")),
-        (1, say!("Manual")),
-        (2, say!("Adaptive")),
+        (Some(0), say!("Uniform")),
+        (Some(1), say!("Manual")),
+        (Some(2), say!("Adaptive")),
     ];
     let now = match document.division {
-        _ if present == 0 => 3,
-        Division::Even => 0,
-        Division::Given => 1,
-        Division::Adaptive(_) => 2,
+        _ if present == 0 => None,
+        Division::Even => Some(0),
+        Division::Given => Some(1),
+        Division::Adaptive(_) => Some(2),
     };
     let chosen = ui.row(|ui| {
         let chosen = ui.segmented(&kinds, now);
@@ -63,7 +63,7 @@ fn division(ui: &mut Ui, workbench: &Workbench) {
         });
         chosen
     });
-    match chosen {
+    match chosen.flatten() {
         Some(0) => workbench.edits(move |document| document.divide(number)),
         Some(1) if present > 0 => workbench.then(|bench| bench.replace(Document::keep_regions)),
         Some(1) => workbench.edits(Document::regions_of_session),
@@ -71,36 +71,26 @@ fn division(ui: &mut Ui, workbench: &Workbench) {
         None => {}
     }
     match &document.division {
-        Division::Even => evenly(ui, workbench),
-        Division::Given => {
-            ui.hint(say!("Drag a boundary on the plot, or type it"));
-            own(ui, workbench);
-        }
-        Division::Adaptive(decision) => {
-            ui.hint(decision.describe(workbench.units()));
-        }
+        Division::Even => evenly(ui, number, workbench),
+        Division::Given => ui.hint(say!("Drag a boundary on the plot, or type it")),
+        Division::Adaptive(decision) => ui.hint(decision.describe(workbench.units())),
     }
 }
 
-fn evenly(ui: &mut Ui, workbench: &Workbench) {
-    let present = workbench.document().regions.len();
-    let mut number = if present == 0 { OFFERED } else { present };
-    let before = number;
-    ui.horizontal(|ui| {
-        let field = DragValue::new(&mut number)
-            .range(1..=MOST_EVEN)
-            .speed(0.1)
-            .suffix(if before == 1 {
-                say!(in "unit", " region")
-            } else {
-                say!(in "unit", " regions")
-            });
-        ui.cell_number(say!("Number of regions"), "", 110.0, field);
-        let divide = present == 0 && ui.button(say!("Divide")).clicked();
-        if number != before || divide {
-            workbench.edits(move |document| document.divide(number));
-        }
-    });
+fn evenly(ui: &mut Ui, before: usize, workbench: &Workbench) {
+    let mut number = before;
+    let field = DragValue::new(&mut number)
+        .range(1..=MOST_EVEN)
+        .speed(0.1)
+        .suffix(if before == 1 {
+            say!(in "unit", " region")
+        } else {
+            say!(in "unit", " regions")
+        });
+    ui.cell_number(say!("Number of regions"), "", 110.0, field);
+    if number != before {
+        workbench.edits(move |document| document.divide(number));
+    }
 }
 
 /// Whether regions were made or changed here, by hand.
@@ -108,15 +98,6 @@ fn are_by_hand(workbench: &Workbench) -> bool {
     let document = workbench.document();
     let own = &document.loaded_session.session.regions;
     document.division == Division::Given && own[..] != document.regions[..]
-}
-
-/// Offers the regions that the session brings along.
-fn own(ui: &mut Ui, workbench: &Workbench) {
-    if workbench.loaded_session().session.regions.is_empty() || !are_by_hand(workbench) {
-        return;
-    }
-    ui.button(say!("Reset to session"))
-        .does(workbench, |bench| bench.edit(Document::regions_of_session));
 }
 
 /// There are no regions, and what that means.
@@ -177,10 +158,10 @@ pub(super) fn next(ui: &mut Ui, workbench: &Workbench) {
     actions::go_on(ui, workbench, Step::Identify);
 }
 
-/// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.
-const COLUMNS: [f32; 5] = [38.0, 60.0, 60.0, 36.0, 26.0];
-/// Widest field for an end: all digits that a boundary is shown with.
-const WIDEST: f32 = 76.0;
+/// Widths of a name, of a number of samples at least, and of what can be done; the ends share what is left.
+const COLUMNS: [f32; 3] = [38.0, 36.0, 26.0];
+/// Narrowest and widest field for an end: all digits that a boundary is shown with.
+const END: [f32; 2] = [54.0, 76.0];
 /// Between the columns.
 const GAP: f32 = 5.0;
 const HEIGHT: f32 = 24.0;
@@ -190,45 +171,34 @@ const MOST_LISTED: usize = 60;
 fn rows(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     let regions = &workbench.document().regions;
     let unit = workbench.units().angle_name().trim();
-    ui.spacing_mut().item_spacing = vec2(GAP, 3.0);
-    ui.spacing_mut().interact_size.y = HEIGHT;
-    let mut columns = COLUMNS;
-    let rest = ui.available_width() - COLUMNS.iter().sum::<f32>() - 4.0 * GAP;
-    columns[1] = (COLUMNS[1] + 0.5 * rest).clamp(COLUMNS[1], WIDEST);
-    columns[2] = columns[1];
-    let heads = [
-        say!("name").to_owned(),
-        say!("from, {unit}", unit),
-        say!("to, {unit}", unit),
-        say!("samples").to_owned(),
-    ];
-    ui.horizontal(|ui| {
-        for (k, (head, width)) in heads.into_iter().zip(columns).enumerate() {
-            let head = RichText::new(head).small().weak();
-            // The head of the samples ends where their numbers end.
-            let layout = if k < 3 {
-                Layout::left_to_right(Align::Center)
-            } else {
-                Layout::right_to_left(Align::Center)
-            };
-            ui.allocate_ui_with_layout(vec2(width, 16.0), layout, |ui| {
-                ui.set_min_width(width);
-                ui.add(egui::Label::new(head).extend());
-            });
-        }
-    });
-    for (k, region) in regions.iter().enumerate().take(MOST_LISTED) {
-        ui.horizontal(|ui| {
+    let [name_wide, number, menu] = COLUMNS;
+    let font = FontId::proportional(size::SMALL);
+    let number = number.max(widgets::width_of(ui, say!("samples"), font));
+    let rest = ui.available_width() - (name_wide + number + menu + 4.0 * GAP);
+    let end = (0.5 * rest).clamp(END[0], END[1]);
+    ui.spacing_mut().interact_size = vec2(menu, HEIGHT);
+    ui.spacing_mut().button_padding = vec2(4.0, 2.0);
+    let grid = Grid::new("regions").spacing([GAP, 3.0]);
+    grid.min_col_width(0.0).show(ui, |ui| {
+        ui.caption(say!("name"));
+        ui.caption(&say!("from, {unit}", unit));
+        ui.caption(&say!("to, {unit}", unit));
+        ui.caption(say!("samples"));
+        ui.end_row();
+        for (k, region) in regions.iter().enumerate().take(MOST_LISTED) {
             name(ui, k, &region.name, workbench);
-            for end in [End::From, End::To] {
-                angle(ui, columns[1], workbench, (k, end));
+            for which in [End::From, End::To] {
+                angle(ui, end, workbench, (k, which));
             }
             samples(ui, workbench, k, counts[k]);
             more(ui, regions, k, workbench);
-        });
-        if let Some(says) = few(counts[k]) {
+            ui.end_row();
+        }
+    });
+    for (region, count) in regions.iter().zip(counts).take(MOST_LISTED) {
+        if let Some(says) = few(*count) {
             session::finding(ui, Severity::Warning, |ui| {
-                ui.label(RichText::new(says).small());
+                ui.label(RichText::new(of(region, &says)).small());
             });
         }
     }
@@ -247,20 +217,16 @@ fn of(region: &Region, what: &str) -> String {
 fn more(ui: &mut Ui, regions: &[Region], k: usize, workbench: &Workbench) {
     let next = regions::next_to(regions, k).map(|_| k);
     let first = next.or_else(|| regions::before(regions, k)).unwrap_or(k);
-    let menu = ui.scope(|ui| {
-        ui.spacing_mut().button_padding = vec2(4.0, 2.0);
-        ui.spacing_mut().interact_size.x = COLUMNS[4];
-        ui.menu_button("…", |ui| {
-            ui.set_min_width(180.0);
-            ui.button(say!("Split in half"))
-                .does(workbench, move |bench| bench.edit(|d| d.split(k)));
-            ui.button(say!("Merge with neighbour"))
-                .does(workbench, move |bench| bench.edit(|d| d.join(first)));
-            ui.button(say!("Delete"))
-                .does(workbench, move |bench| bench.edit(|d| d.delete(k)));
-        })
+    let menu = ui.menu_button("…", |ui| {
+        ui.set_min_width(180.0);
+        ui.button(say!("Split in half"))
+            .does(workbench, move |bench| bench.edit(|d| d.split(k)));
+        ui.button(say!("Merge with neighbour"))
+            .does(workbench, move |bench| bench.edit(|d| d.join(first)));
+        ui.button(say!("Delete"))
+            .does(workbench, move |bench| bench.edit(|d| d.delete(k)));
     });
-    widgets::label(&menu.inner.response, of(&regions[k], say!("Edit")));
+    widgets::label(&menu.response, of(&regions[k], say!("Edit")));
 }
 
 /// What a region with few samples can and cannot do.
@@ -325,7 +291,7 @@ fn angle(ui: &mut Ui, width: f32, workbench: &Workbench, (k, end): (usize, End))
 fn samples(ui: &mut Ui, workbench: &Workbench, k: usize, count: Count) {
     let region = &workbench.document().regions[k];
     let number = RichText::new(count.all.to_string());
-    let room = [COLUMNS[3], HEIGHT];
+    let room = [COLUMNS[1], HEIGHT];
     if count.all == 0 {
         let warning = Palette::of(ui).warning;
         ui.add_sized(room, egui::Label::new(number.color(warning)));

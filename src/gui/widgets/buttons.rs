@@ -146,22 +146,26 @@ fn wide(ui: &mut Ui, text: &str, filled: bool, height: f32) -> Response {
     let text = text.replace(" …", "\u{a0}…");
     let label = RichText::new(text).font(font).color(color);
     ui.scope(|ui| {
-        let [rest, hovered, pressed] = fills;
-        let widgets = &mut ui.visuals_mut().widgets;
-        for (state, fill) in [
-            (&mut widgets.inactive, rest),
-            (&mut widgets.noninteractive, rest),
-            (&mut widgets.hovered, hovered),
-            (&mut widgets.open, hovered),
-            (&mut widgets.active, pressed),
-        ] {
-            state.weak_bg_fill = fill;
-            state.bg_stroke = Stroke::new(1.0, edge);
-        }
+        paint_states(ui, fills, edge);
         let room = vec2(ui.available_width(), height);
         ui.add_sized(room, Button::new(label).wrap())
     })
     .inner
+}
+
+/// What buttons are filled with at rest, under the pointer and pressed, and their edge.
+fn paint_states(ui: &mut Ui, [rest, hovered, pressed]: [Color32; 3], edge: Color32) {
+    let widgets = &mut ui.visuals_mut().widgets;
+    for (state, fill) in [
+        (&mut widgets.inactive, rest),
+        (&mut widgets.noninteractive, rest),
+        (&mut widgets.hovered, hovered),
+        (&mut widgets.open, hovered),
+        (&mut widgets.active, pressed),
+    ] {
+        state.weak_bg_fill = fill;
+        state.bg_stroke = Stroke::new(1.0, edge);
+    }
 }
 
 /// They press the one thing to do next, wherever the focus is.
@@ -174,7 +178,6 @@ fn asked() -> Id {
 
 /// Reads [`NEXT`]. What is typed into a field ends with it, and is taken over before the button is pressed.
 pub(crate) fn read_next(ctx: &Context) {
-    const LASTS: u64 = 4;
     let pass = ctx.cumulative_pass_nr();
     if ctx.input_mut(|input| input.consume_shortcut(&NEXT)) {
         ctx.memory_mut(|memory| {
@@ -184,27 +187,24 @@ pub(crate) fn read_next(ctx: &Context) {
             memory.data.insert_temp(asked(), pass);
         });
         ctx.request_repaint();
-    } else if let Some(before) = ctx.data(|data| data.get_temp::<u64>(asked()))
-        && pass > before + LASTS
-    {
-        // Nothing comes next here.
-        ctx.data_mut(|data| data.remove::<u64>(asked()));
     }
 }
 
 /// Whether it is this button that [`NEXT`] asks for: behind a sheet none is.
 fn is_asked_for(ui: &Ui) -> bool {
+    const LASTS: u64 = 4;
     let ctx = ui.ctx();
-    let Some(before) = ctx.data(|data| data.get_temp::<u64>(asked())) else {
-        return false;
-    };
+    let asked_in = ctx.data(|data| data.get_temp::<u64>(asked()));
+    let lately = asked_in.is_some_and(|pass| {
+        let passes = ctx.cumulative_pass_nr() - pass;
+        (1..=LASTS).contains(&passes)
+    });
     let top = ctx.memory(egui::Memory::top_modal_layer);
     let here = ui.is_enabled() && top.is_none_or(|top| top == ui.layer_id());
-    let now = here && ctx.cumulative_pass_nr() > before;
-    if now {
+    if lately && here {
         ctx.data_mut(|data| data.remove::<u64>(asked()));
     }
-    now
+    lately && here
 }
 
 /// Whether what has this name has been in sight for half a second without a break: what comes up under the pointer
@@ -249,15 +249,7 @@ fn segment(ui: &mut Ui, palette: Palette, name: &str, on: bool) -> Response {
     } else {
         (Color32::TRANSPARENT, Color32::TRANSPARENT)
     };
-    let widgets = &mut ui.visuals_mut().widgets;
-    for (state, fill) in [
-        (&mut widgets.inactive, rest),
-        (&mut widgets.hovered, palette.surface),
-        (&mut widgets.active, palette.accent_soft),
-    ] {
-        state.weak_bg_fill = fill;
-        state.bg_stroke = Stroke::new(1.0, edge);
-    }
+    paint_states(ui, [rest, palette.surface, palette.accent_soft], edge);
     let button = Button::new(text)
         .corner_radius(CornerRadius::same(space::ROUND - 2))
         .min_size(vec2(34.0, 22.0));

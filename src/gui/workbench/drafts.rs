@@ -25,14 +25,16 @@ impl Workbench {
     }
 
     /// Shows a file that an instrument wrote; with what had been said of it when it was left.
-    pub(super) fn ask_about(&mut self, mut draft: Box<ImportDraft>) {
-        let before = self
-            .file_state
-            .left_draft
-            .take_if(|left| left.is_of_the_file_of(&draft));
-        if let Some(before) = before {
-            draft.resume(before);
-        }
+    pub(super) fn ask_about(&mut self, draft: Box<ImportDraft>) {
+        let left = &mut self.file_state.left_draft;
+        let draft = match left.take_if(|left| left.is_of_the_file_of(&draft)) {
+            Some(mut before) => {
+                // The files beside it may have changed.
+                before.seen = draft.seen;
+                Box::new(before)
+            }
+            None => draft,
+        };
         self.view.sheet = Some(Sheet::Import(draft));
         self.keep_looking();
     }

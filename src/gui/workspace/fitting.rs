@@ -6,7 +6,7 @@ use egui_plot::PlotTransform;
 
 use super::model::{Dial, Shown};
 use crate::gui::core::overview::{FEW, corners, round_down};
-use crate::text::{Template, filled};
+use crate::gui::layers::gpu::MOST;
 
 /// Sectors reach so far beyond the path, in parts of the radius.
 pub(crate) const SECTOR: f64 = 1.10;
@@ -78,6 +78,10 @@ pub(crate) fn nearest(
 /// So many vectors and points can be told apart where all of the workspace is in sight.
 const APART: [f64; 2] = [1_500.0, 7_500.0];
 
+/// Many vectors, one to so many points of the screen, so that each can be read: as many as there are cells of a grid
+/// with samples in them, in the order of the cloud, which is spread evenly.
+const CELL: f64 = 14.0;
+
 /// How many points and how many vectors a layer draws: the nearer one looks the more. Points move
 /// apart along both axes; vectors become longer as well, and so fewer of them fit.
 pub(crate) fn counts(shown: &Shown, transform: &PlotTransform) -> [usize; 2] {
@@ -89,58 +93,35 @@ pub(crate) fn counts(shown: &Shown, transform: &PlotTransform) -> [usize; 2] {
     let frame = transform.frame();
     let wide = side(0, transform.dpos_dvalue_x(), frame.width());
     let tall = side(1, transform.dpos_dvalue_y(), frame.height());
-    let most = shown.samples.min(shown.most);
-    let at_most = |apart: f64| {
-        if apart < most as f64 {
-            crate::numeric::whole(apart)
-        } else {
-            most
-        }
-    };
     let [vectors, points] = APART;
-    let vectors = match shown.vectors {
-        Some(_) => 0.0,
-        None if shown.samples <= FEW => vectors * (wide * tall).sqrt(),
-        None => {
-            let cells = [0, 1].map(|k| (high[k] - low[k]) / side_mm(transform));
-            let over = if shown.along_a_path {
-                cells[0] + cells[1]
-            } else {
-                cells[0] * cells[1]
-            };
-            over.max(1.0)
-        }
+    let vectors = if shown.samples <= FEW {
+        vectors * (wide * tall).sqrt()
+    } else {
+        let side_mm = CELL / transform.dpos_dvalue_x().abs();
+        let cells = [0, 1].map(|k| (high[k] - low[k]) / side_mm);
+        let over = if shown.along_a_path {
+            cells[0] + cells[1]
+        } else {
+            cells[0] * cells[1]
+        };
+        over.max(1.0)
     };
-    [points * wide * tall, vectors].map(at_most)
+    let most = shown.samples.min(MOST);
+    [points * wide * tall, vectors].map(|apart| crate::numeric::whole(apart.min(most as f64)))
 }
 
 /// What a layer says when it does not draw everything.
-pub(crate) fn drawn(shown: &Shown, [points, vectors]: [usize; 2]) -> Vec<String> {
-    if shown.vectors.is_some() {
-        return Vec::new();
-    }
-    let note = |(count, says): (usize, Template)| {
-        let why = if count == shown.most {
-            say!("this computer draws in software")
-        } else {
-            say!("zoom in for more")
-        };
+pub(crate) fn drawn(shown: &Shown, counts: [usize; 2]) -> Vec<String> {
+    let why = say!("zoom in for more");
+    let [points, vectors] = counts.map(|count| {
         let one_of = shown.samples.div_ceil(count.max(1));
-        (count < shown.samples).then(|| filled(says, &[("one_of", &one_of), ("why", &why)]))
-    };
-    let of_points = phrase!("showing 1 in {one_of} points; {why}"; one_of, why);
-    let of_vectors = phrase!("showing 1 in {one_of} vectors; {why}"; one_of, why);
-    let layers = [(points, of_points), (vectors, of_vectors)];
-    layers.into_iter().filter_map(note).collect()
-}
-
-/// Many vectors, one to so many points of the screen, so that each can be read: as many as there are cells of a grid
-/// with samples in them, in the order of the cloud, which is spread evenly.
-const CELL: f64 = 14.0;
-
-/// The side of a cell, mm.
-fn side_mm(transform: &PlotTransform) -> f64 {
-    CELL / transform.dpos_dvalue_x().abs()
+        (one_of > 1).then_some(one_of)
+    });
+    let points = points.map(|one_of| say!("showing 1 in {one_of} points; {why}", one_of, why));
+    // Of some that are chosen the legend says it.
+    let vectors = vectors.filter(|_| shown.vectors.is_none());
+    let vectors = vectors.map(|one_of| say!("showing 1 in {one_of} vectors; {why}", one_of, why));
+    points.into_iter().chain(vectors).collect()
 }
 
 #[cfg(test)]

@@ -4,10 +4,7 @@
 //! What is drawn is what a plane shows, projected along the line of sight, so that vectors, colours,
 //! legend and robot are the same in both; only what has a depth is added here.
 
-use egui::{
-    Color32, Key, PointerButton, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo,
-};
-use nalgebra::Isometry3;
+use egui::{Key, PointerButton, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo};
 
 use crate::gui::style::{Palette, space};
 use crate::gui::view::{Ball, Camera as ViewCamera};
@@ -18,7 +15,8 @@ use crate::gui::workspace::robot::{Drawn, body};
 use crate::gui::{plots, widgets};
 use crate::kinematics::Robot;
 
-use super::scene::{Space, in_space};
+use super::model::ball;
+use super::scene::{in_sight, in_space};
 
 /// A direction in space is drawn so much shorter on average.
 const FORESHORTENED: f64 = std::f64::consts::FRAC_PI_4;
@@ -27,26 +25,29 @@ const FORESHORTENED: f64 = std::f64::consts::FRAC_PI_4;
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let seen = Seen::of(ui, workbench);
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-    let space = Space::new(workbench, rect);
-    let camera = &space.camera;
+    let ball = ball(workbench);
+    let camera = in_sight(workbench, &ball, rect);
     let whole = ViewCamera {
         zoom: 1.0,
         ..workbench.view.camera
     };
     let size = [rect.width(), rect.height()].map(f64::from);
-    let points_per_mm = FORESHORTENED * whole.points_per_mm(&space.ball, size);
+    let points_per_mm = FORESHORTENED * whole.points_per_mm(&ball, size);
     tell_plot_size(workbench, points_per_mm);
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     let ui = &mut inside;
     ui.set_clip_rect(rect.intersect(ui.clip_rect()));
-    Pen::draw(ui, |pen| {
-        in_space(pen, workbench, &seen.shown, seen.robot.as_ref(), &space);
-    });
+    let pen = Pen {
+        painter: ui.painter(),
+        palette: &Palette::of(ui),
+    };
+    let (shown, robot) = (&seen.shown, seen.robot.as_ref());
+    in_space(pen, workbench, shown, robot, (&ball, &camera));
     let view = &workbench.view;
     describe(&response, workbench);
     let pointer = response.hover_pos().filter(|_| !response.dragged());
-    seen.finish(ui, workbench, camera, (&response, pointer));
-    let turned = looked(ui, &response, rect, &space.ball, view.camera);
+    seen.finish(ui, workbench, &camera, (&response, pointer));
+    let turned = looked(ui, &response, rect, &ball, view.camera);
     if response.double_clicked() {
         workbench.then(move |bench| bench.view.fit_workspace());
     } else if turned != view.camera {
@@ -99,14 +100,11 @@ pub(crate) fn robot_alone(
     let sides = [rect.width(), rect.height()].map(f64::from);
     let facing = camera.facing();
     let seen = Camera::showing(facing, camera.bounds(&ball, sides), rect);
-    let mut pen = Pen::new(&painter, &palette);
-    body(&mut pen, &drawn, &Isometry3::identity(), &seen);
-    painter.extend(pen.shapes);
-    if response.has_focus() {
-        let ring = Stroke::new(1.0, palette.outline);
-        let inside = egui::StrokeKind::Inside;
-        painter.rect(rect, space::ROUND, Color32::TRANSPARENT, ring, inside);
-    }
+    let pen = Pen {
+        painter: &painter,
+        palette: &palette,
+    };
+    body(pen, &drawn, &seen);
     response
 }
 
@@ -177,7 +175,7 @@ fn by_keys(ui: &Ui, camera: ViewCamera) -> ViewCamera {
 #[cfg(test)]
 mod tests {
     use egui::vec2;
-    use nalgebra::{Point3, Vector3};
+    use nalgebra::{Isometry3, Point3, Vector3};
 
     use crate::gui::testing::workbench;
 
@@ -246,7 +244,7 @@ mod tests {
         assert!(workbench.facing().flat(up.into())[0].abs() < 1e-9);
         // Vectors are as long as what is left can be read, and the frame's error is not drawn.
         let scene = Shown::of(&workbench);
-        assert!(scene.magnification > 100.0 && !scene.look.ghosts());
+        assert!(scene.look.magnification > 100.0 && !scene.look.ghosts());
         // The plane stays in the measuring frame.
         workbench.execute(|bench| bench.view.look_in(crate::gui::view::Plane::Xy));
         assert_eq!(workbench.base(), Isometry3::identity());
@@ -261,13 +259,14 @@ mod tests {
         for _ in 0..6 {
             let turned = workbench.view.camera.orbited([61.0, 17.0]);
             workbench.execute(|bench| bench.view.camera = turned);
-            let space = Space::new(&workbench, rect);
+            let camera = in_sight(&workbench, &ball(&workbench), rect);
             let loaded_session = workbench.loaded_session();
             for sample in 0..loaded_session.len() {
-                let at = space.camera.at(loaded_session.measured(sample));
+                let at = camera.at(loaded_session.measured(sample));
                 assert!(rect.contains(at), "{at:?}");
             }
-            assert!(rect.contains(space.camera.at(space.of_base([0.0; 3]))));
+            let origin = workbench.base().translation.vector;
+            assert!(rect.contains(camera.at(origin.into())));
         }
         let closer = workbench.view.camera.zoomed(20.0, [0.0; 2]);
         workbench.execute(|bench| bench.view.camera = closer);

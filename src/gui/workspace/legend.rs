@@ -3,15 +3,15 @@
 //! second time: a deviation by the vector's length, a direction by its direction, a condition by its width.
 
 use egui::{
-    Align2, Color32, FontId, Link, Popup, PopupCloseBehavior, Pos2, Rect, RichText, Role, Sense,
-    Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, FontId, Label, Link, Popup, PopupCloseBehavior, Pos2, Rect, RichText, Role,
+    Sense, Shape, Stroke, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
+use crate::gui::core::overview::FEW;
 use crate::gui::layers::scale_at;
 use crate::gui::plots::chart::{self, SIGN};
 use crate::gui::plots::mark;
 use crate::gui::style::{Palette, size};
-use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::numeric::single;
 use crate::present::chart::Form;
@@ -19,13 +19,13 @@ use crate::present::numbers::{significant, trimmed};
 
 use super::fitting;
 use super::model::{Shown, judged};
-use super::pen::{Camera, Label, Pen};
-use super::robot::Drawn;
+use super::pen::{Camera, Pen};
 
 /// The longest that the scale's arrow gets, points.
 const LONGEST_SCALE: f64 = 52.0;
-/// Room for the arrow and its length in words, points.
+/// Room for the arrow and its length in words, points; and for what is said where not everything is drawn.
 const SCALE: f32 = 116.0;
+const NOTES: f32 = 240.0;
 
 /// A name, and its sign about the middle of so much room.
 type Entry = (String, Vec<Shape>, f32);
@@ -40,19 +40,11 @@ fn show_entry(ui: &mut Ui, (name, sign, room): Entry) -> Rect {
 
 /// The rows over a plot of the plane. Where the scale of the vectors goes, after everything else: its length is known
 /// only when the plot is.
-pub(super) fn show(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    shown: &Shown,
-    robot: Option<&Drawn>,
-    notes: impl Iterator<Item = String>,
-) -> Option<Rect> {
-    let palette = Palette::of(ui);
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, shown: &Shown, robot: bool) -> Option<Rect> {
     let low = ui.available_height() < LOW;
-    let marks = entries(workbench, shown, robot, &palette).into_iter();
+    let marks = entries(workbench, shown, robot, &Palette::of(ui));
     let bar = colour_bar(ui, workbench, shown, if low { SHORT } else { LONG });
-    let between = vec2(10.0, 1.0);
-    chart::rows(ui, between, |ui| {
+    chart::rows(ui, vec2(10.0, 1.0), |ui| {
         let all = |ui: &mut Ui| {
             for one in marks {
                 show_entry(ui, one);
@@ -65,11 +57,12 @@ pub(super) fn show(
             all(ui);
             bar.map(|bar| show_entry(ui, bar));
         }
-        for says in notes {
+        if let Some(says) = shown.note() {
             show_entry(ui, (says, Vec::new(), 0.0));
         }
+        let many = if shown.samples > FEW { NOTES } else { 0.0 };
         let measured = !workbench.loaded_session().is_empty();
-        measured.then(|| show_entry(ui, (String::new(), Vec::new(), SCALE)))
+        measured.then(|| show_entry(ui, (String::new(), Vec::new(), SCALE + many)))
     })
 }
 
@@ -89,31 +82,45 @@ fn folded(ui: &mut Ui, marks: impl FnOnce(&mut Ui)) {
         });
 }
 
-/// Draws the scale of the vectors: an arrow that stands for a round length, and which.
-pub(super) fn scale_in(ui: &Ui, room: Rect, workbench: &Workbench, shown: &Shown, camera: &Camera) {
+/// Draws the scale of the vectors: an arrow that stands for a round length, and which; behind it what is not drawn.
+pub(super) fn scale_in(
+    ui: &mut Ui,
+    room: Rect,
+    workbench: &Workbench,
+    shown: &Shown,
+    camera: &Camera,
+) {
     let units = workbench.units();
     let points_per_mm = camera.points_per_mm();
     // Round in the unit in which it is written.
     let per_mm = units.length_value(1.0);
-    let round = fitting::scale_mm(shown.magnification, points_per_mm / per_mm, LONGEST_SCALE);
-    let mm = round / per_mm;
-    let long = single(mm * shown.magnification * points_per_mm);
-    let length = trimmed(units.length_value(mm), 6);
-    let says = format!("{length} {}", units.length_name());
-    // The legend stands above the plot.
-    let painter = ui.painter().with_clip_rect(room.expand(40.0));
+    let magnification = shown.look.magnification;
+    let round = fitting::scale_mm(magnification, points_per_mm / per_mm, LONGEST_SCALE);
+    let long = single(round / per_mm * magnification * points_per_mm);
+    let says = format!("{} {}", trimmed(round, 6), units.length_name());
     let palette = Palette::of(ui);
-    let mut pen = Pen::new(&painter, &palette);
     let color = if shown.look.answered && shown.look.blend > 0.0 {
         palette.after
     } else {
         palette.before
     };
+    // The legend stands above the plot.
+    let pen = Pen {
+        painter: &ui.painter().with_clip_rect(room.expand(40.0)),
+        palette: &palette,
+    };
     let ends = [room.left_center(), room.left_center() + vec2(long, 0.0)];
     pen.arrow(ends, Stroke::new(2.0, color));
-    let says = Label::new(says, palette.text).anchored(Align2::LEFT_CENTER);
-    pen.label(ends[1] + vec2(8.0, 0.0), &says);
-    painter.extend(pen.shapes);
+    let beside = ends[1] + vec2(8.0, 0.0);
+    pen.label(beside, Align2::LEFT_CENTER, says, palette.text);
+    let notes = fitting::drawn(shown, fitting::counts(shown, &camera.transform));
+    if !notes.is_empty() {
+        let notes = RichText::new(notes.join(" · ")).small().weak();
+        let room = room.with_min_x(room.left() + SCALE);
+        let mut beside = ui.new_child(UiBuilder::new().max_rect(room));
+        beside.set_clip_rect(room);
+        beside.add(Label::new(notes).truncate());
+    }
 }
 
 /// Pieces of lines, one over the other.
@@ -129,24 +136,8 @@ fn sign(name: &str, (form, radius): (Form, f32), fill: Color32, edge: Stroke) ->
 }
 
 /// What the marks mean.
-fn entries(
-    workbench: &Workbench,
-    shown: &Shown,
-    robot: Option<&Drawn>,
-    palette: &Palette,
-) -> Vec<Entry> {
+fn entries(workbench: &Workbench, shown: &Shown, robot: bool, palette: &Palette) -> Vec<Entry> {
     let mut all = Vec::new();
-    if !workbench.loaded_session().is_empty() {
-        meanings(&mut all, workbench, shown, palette);
-    }
-    if robot.is_some() {
-        let tube = [(7.0, palette.nominal), (4.5, palette.surface)];
-        all.push(line(say!("robot"), tube));
-    }
-    all
-}
-
-fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown, palette: &Palette) {
     if !shown.paths_mm.is_empty() {
         all.push(line(say!("nominal path"), [(1.25, palette.nominal)]));
     }
@@ -156,15 +147,21 @@ fn meanings(all: &mut Vec<Entry>, workbench: &Workbench, shown: &Shown, palette:
         all.push(line(say!("after"), [(1.8, palette.after)]));
     }
     let disc = |name: &str, color| sign(name, (Form::Disc, 2.8), color, Stroke::NONE);
-    if workbench.document().tolerance_mm.is_some() {
+    let measured = !workbench.loaded_session().is_empty();
+    if measured && workbench.document().tolerance_mm.is_some() {
         let edge = Stroke::new(1.4, palette.outside);
         let [within, outside] = [true, false].map(|within| judged(workbench, within));
         all.push(disc(within, palette.within));
         let open = (Form::Diamond, 3.2);
         all.push(sign(outside, open, palette.surface, edge));
-    } else {
+    } else if measured {
         all.push(disc(say!("measured"), palette.text));
     }
+    if robot {
+        let tube = [(7.0, palette.nominal), (4.5, palette.surface)];
+        all.push(line(say!("robot"), tube));
+    }
+    all
 }
 
 /// Length of the scale, points; and in a low plot.
@@ -188,22 +185,27 @@ fn scale(workbench: &Workbench, shown: &Shown) -> Option<[String; 2]> {
 fn colour_bar(ui: &Ui, workbench: &Workbench, shown: &Shown, long: f32) -> Option<Entry> {
     let [name, high] = scale(workbench, shown)?;
     let palette = Palette::of(ui);
-    let width = |text: &str| widgets::width_of(ui, text, FontId::proportional(size::SMALL));
-    let before = width("0") + 4.0;
-    let wide = before + long + 4.0 + width(&high);
+    let laid_out = |says: &str| {
+        let font = FontId::proportional(size::SMALL);
+        let painter = ui.painter();
+        painter.layout_no_wrap(says.to_owned(), font, palette.muted)
+    };
+    let [low, high] = ["0", &high].map(laid_out);
+    let before = low.size().x + 4.0;
+    let wide = before + long + 4.0 + high.size().x;
     let left = before - 0.5 * wide;
-    let mut pen = Pen::new(ui.painter(), &palette);
-    for (x, says) in [(-0.5 * wide, "0"), (left + long + 4.0, &high)] {
-        let label = Label::new(says, palette.muted).anchored(Align2::LEFT_CENTER);
-        pen.label(pos2(x, 0.0), &label);
+    let mut shapes = Vec::new();
+    for (x, galley) in [(-0.5 * wide, low), (left + long + 4.0, high)] {
+        let at = pos2(x, -0.5 * galley.size().y);
+        shapes.push(Shape::galley(at, galley, palette.muted));
     }
     for k in 0..PIECES {
         let [from, to] = [k, k + 1].map(|k| left + long * f32::from(k) / f32::from(PIECES));
         let color = scale_at(&palette, f32::from(k) / f32::from(PIECES - 1));
         let piece = Rect::from_x_y_ranges(from..=to, -0.5 * THICK..=0.5 * THICK);
-        pen.shapes.push(Shape::rect_filled(piece, 0.0, color));
+        shapes.push(Shape::rect_filled(piece, 0.0, color));
     }
-    Some((name, pen.shapes, wide))
+    Some((name, shapes, wide))
 }
 
 #[cfg(test)]

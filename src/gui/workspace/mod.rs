@@ -61,18 +61,15 @@ pub(crate) fn in_picture(ctx: &Context, window: &ColorImage) -> Option<ColorImag
     shown.then(|| window.region(&rect, Some(ctx.pixels_per_point())))
 }
 
-/// What stands at the axes of the plane.
-fn axes(workbench: &Workbench) -> [String; 2] {
-    let unit = workbench.units().length_name();
-    let axes = workbench.view.plane.axes();
-    axes.map(|axis| format!("{}, {unit}", ["x", "y", "z"][axis]))
-}
-
 fn plane(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     let view = &workbench.view;
     let units = workbench.units();
-    let [mut across, upwards] = axes(workbench);
+    let unit = units.length_name();
+    let [mut across, upwards] = view
+        .plane
+        .axes()
+        .map(|axis| format!("{}, {unit}", ["x", "y", "z"][axis]));
     // In a low plot the axis below goes without its name, which the bar says as well.
     if ui.available_height() < legend::LOW {
         across.clear();
@@ -98,9 +95,12 @@ fn plane(ui: &mut Ui, workbench: &Workbench) {
     let (response, transform) = plots::show(ui, plot, bounds, |painter, transform| {
         let transform = *transform;
         let camera = Camera { facing, transform };
-        let mut pen = Pen::new(painter, &palette);
-        scene::plane(&mut pen, workbench, shown, robot, editing, &camera);
-        pen.shapes
+        let pen = Pen {
+            painter,
+            palette: &palette,
+        };
+        scene::plane(pen, workbench, shown, robot, editing, &camera);
+        Vec::new()
     });
     let camera = Camera { facing, transform };
     let frame = camera.frame();
@@ -196,8 +196,10 @@ fn display(ui: &mut Ui, workbench: &Workbench) {
         if let Some(after) = workbench.answer() {
             ui.row(|ui| scale_for(ui, workbench, after.readable));
         }
-        if !workbench.view.in_space {
-            heat(ui, workbench);
+        let mut heat = workbench.view.heat;
+        let text = RichText::new(say!("heat map")).small();
+        if !workbench.view.in_space && ui.checkbox(&mut heat, text).changed() {
+            workbench.then(move |bench| bench.view.heat = heat);
         }
     });
 }
@@ -268,14 +270,5 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, after: Readable) {
         }
         Some(factor) => workbench.then(move |bench| bench.view.magnification = factor),
         None => {}
-    }
-}
-
-/// Whether the error between the samples is shown.
-fn heat(ui: &mut Ui, workbench: &Workbench) {
-    let mut shown = workbench.view.heat;
-    let text = RichText::new(say!("heat map")).small();
-    if ui.checkbox(&mut shown, text).changed() {
-        workbench.then(move |bench| bench.view.heat = shown);
     }
 }

@@ -9,17 +9,6 @@ use crate::gui::layers::LayerOptions;
 use crate::gui::view::{Ball, Plane};
 use crate::gui::workbench::Workbench;
 
-/// A sample whose vectors are drawn by themselves.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct VisibleSample {
-    /// Where it was measured, mm.
-    pub(crate) at_mm: [f64; 3],
-    /// The deviation that is shown, mm, as long as it really is.
-    pub(crate) vector_mm: [f64; 3],
-    /// The deviation before, where another is shown.
-    pub(crate) before_mm: Option<[f64; 3]>,
-}
-
 /// How angles of joint 1 lie in the plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Dial {
@@ -54,14 +43,12 @@ impl Dial {
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Shown {
-    /// The samples that have vectors, where not all of few have them.
-    pub(crate) vectors: Option<Vec<VisibleSample>>,
+    /// The places of the cloud that have vectors, where not all of few have them.
+    pub(crate) vectors: Option<Vec<u32>>,
     /// The way of each reflector on the nominal robot, mm; for a single joint that turns.
     pub(crate) paths_mm: Vec<Vec<[f64; 3]>>,
     /// Where joint 1 turns in this plane.
     pub(crate) dial: Option<Dial>,
-    /// How much longer than real the vectors are drawn.
-    pub(crate) magnification: f64,
     /// Size of the workspace, mm.
     pub(crate) reach_mm: f64,
     /// Smallest and largest corner of what was measured, mm.
@@ -74,8 +61,6 @@ pub(crate) struct Shown {
     pub(crate) samples: usize,
     /// Whether the points lie along a path, as those of a single joint do, and not all over the plot.
     pub(crate) along_a_path: bool,
-    /// How many can be drawn at once.
-    pub(crate) most: usize,
 }
 
 impl Shown {
@@ -84,43 +69,18 @@ impl Shown {
         let loaded_session = &**workbench.loaded_session();
         let view = &workbench.view;
         let facing = workbench.facing();
-        let look = look(workbench);
-        let shown = |sample: usize| shown(workbench, sample);
-        let usable = &loaded_session.overview.usable;
-        let telling = is_sparse(workbench).then(|| {
-            let mut telling = most_telling(workbench);
-            if view.in_space {
-                // What is near covers what is far.
-                let nearness = |s: u32| facing.nearness(loaded_session.measured(s as usize));
-                telling.sort_by(|a, b| nearness(*a).total_cmp(&nearness(*b)).then(a.cmp(b)));
-            }
-            telling
-        });
-        let visible = |sample: &u32| {
-            let sample = *sample as usize;
-            let e = shown(sample);
-            VisibleSample {
-                at_mm: loaded_session.measured(sample),
-                vector_mm: e,
-                before_mm: look
-                    .ghosts()
-                    .then(|| loaded_session.deviation_before(sample)),
-            }
-        };
         Self {
-            vectors: telling.map(|samples| samples.iter().map(visible).collect()),
+            vectors: is_sparse(workbench).then(|| most_telling(workbench)),
             paths_mm: paths(loaded_session, &workbench.base()),
             dial: (!view.in_space)
                 .then(|| dial(loaded_session, view.plane))
                 .flatten(),
-            magnification: look.magnification,
             reach_mm: loaded_session.overview.reach_mm,
             measured_mm: facing.flat_box(loaded_session.overview.measured_mm),
             robot_mm: facing.flat_box(loaded_session.overview.robot_mm),
-            look,
-            samples: usable.len(),
+            look: look(workbench),
+            samples: loaded_session.overview.usable.len(),
             along_a_path: loaded_session.session.robot.joint_count() == 1,
-            most: view.most_drawn,
         }
     }
 
@@ -279,21 +239,21 @@ fn is_sparse(workbench: &Workbench) -> bool {
     several && (LARGEST + EVENLY + 1..=FEW).contains(&samples)
 }
 
-/// The samples with the largest deviations of those that are shown, and some of the others.
+/// The places in the cloud of the largest deviations of those that are shown, and of some of the others.
 fn most_telling(workbench: &Workbench) -> Vec<u32> {
     let loaded_session = workbench.loaded_session();
     let after = workbench.answer().filter(|_| workbench.view.blend > 0.0);
     let lengths = after.map_or(&loaded_session.before.length_mm, |a| &a.after.length_mm);
-    let mut largest = loaded_session.overview.usable.clone();
-    largest.retain(|sample| lengths[*sample as usize].is_finite());
-    largest.sort_by(|a, b| lengths[*b as usize].total_cmp(&lengths[*a as usize]));
-    largest.truncate(LARGEST);
-    let cloud = loaded_session.cloud();
-    let others = cloud.samples.iter().copied();
-    let others = others.filter(|sample| !largest.contains(sample));
-    let others: Vec<u32> = others.take(EVENLY).collect();
-    largest.extend(others);
-    largest
+    let samples = &loaded_session.cloud().samples;
+    let length = |place: &u32| lengths[samples[*place as usize] as usize];
+    let mut telling: Vec<u32> = (0..).take(samples.len()).collect();
+    telling.retain(|place| length(place).is_finite());
+    telling.sort_by(|a, b| length(b).total_cmp(&length(a)));
+    let mut others = telling.split_off(LARGEST.min(telling.len()));
+    // Every beginning of the cloud is spread evenly.
+    others.sort_unstable();
+    telling.extend(others.into_iter().take(EVENLY));
+    telling
 }
 
 /// Over how many points vectors are made for, see [`Readable::magnification`]: fewer make them longer.

@@ -2,7 +2,6 @@
 //! everything once it is chosen; the robot's values on a card beside its tool; and over how many points the workspace
 //! is drawn.
 
-use egui::accesskit::{Action, ActionData};
 use egui::{
     CursorIcon, Id, Key, PopupAnchor, Pos2, Rect, Response, Role, Sense, Stroke, Tooltip, Ui, Vec2,
     WidgetInfo,
@@ -29,24 +28,15 @@ const REACH: f64 = 14.0;
 /// Marks that are less than this apart on the screen stand on one another, points.
 const SAME: f64 = 3.0;
 
-/// A mark: its sample, how far it is from the pointer, points, and how near to the viewer, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Candidate {
-    sample: usize,
-    distance: f64,
-    nearness: f64,
-}
+/// A mark: how far it is from the pointer, points, how near to the viewer, mm, and its sample.
+type Candidate = (f64, f64, usize);
 
 /// The nearest to the pointer; of those that stand on one another there, the nearest to the viewer.
 fn picked(candidates: &[Candidate]) -> Option<usize> {
-    let least = candidates.iter().map(|c| c.distance);
-    let least = least.fold(f64::INFINITY, f64::min);
-    let there = candidates.iter().filter(|c| c.distance <= least + SAME);
-    let first = |a: &&Candidate, b: &&Candidate| {
-        let order = a.nearness.total_cmp(&b.nearness);
-        order.then(b.sample.cmp(&a.sample))
-    };
-    there.max_by(first).map(|c| c.sample)
+    let least = candidates.iter().map(|c| c.0).fold(f64::INFINITY, f64::min);
+    let there = candidates.iter().filter(|c| c.0 <= least + SAME);
+    let first = |a: &&Candidate, b: &&Candidate| a.1.total_cmp(&b.1).then(b.2.cmp(&a.2));
+    there.max_by(first).map(|c| c.2)
 }
 
 /// The sample within `reach` points of one in the picture. Only what is drawn is there: the first `points` of the cloud.
@@ -65,11 +55,7 @@ fn under(
         let p = [0, 1, 2].map(|k| f64::from(place[k]));
         let [right, up] = facing.flat(p);
         let distance = (x + right - at.x).hypot(y + up - at.y) * camera.points_per_mm();
-        (distance <= reach).then(|| Candidate {
-            sample: *sample as usize,
-            distance,
-            nearness: facing.nearness(p),
-        })
+        (distance <= reach).then(|| (distance, facing.nearness(p), *sample as usize))
     });
     picked(&found.collect::<Vec<_>>())
 }
@@ -222,25 +208,15 @@ fn about(workbench: &Workbench, sample: usize, all: bool) -> (String, Vec<Line>)
 pub(super) struct Seen {
     pub(super) shown: Shown,
     pub(super) robot: Option<Drawn>,
-    /// What is not drawn follows from the plot's size: the legend above it says what the frame before found.
-    not_drawn: Vec<String>,
     scale: Option<Rect>,
-}
-
-fn not_drawn() -> Id {
-    Id::unique("what is not drawn")
 }
 
 impl Seen {
     /// As the workbench has it, with the rows over the plot.
     pub(super) fn of(ui: &mut Ui, workbench: &Workbench) -> Self {
         let (shown, robot) = (Shown::of(workbench), Drawn::of(workbench));
-        let before = ui.data(|data| data.get_temp::<Vec<String>>(not_drawn()));
-        let before = before.unwrap_or_default();
-        let notes = shown.note().into_iter().chain(before.iter().cloned());
         Self {
-            scale: legend::show(ui, workbench, &shown, robot.as_ref(), notes),
-            not_drawn: before,
+            scale: legend::show(ui, workbench, &shown, robot.is_some()),
             shown,
             robot,
         }
@@ -254,26 +230,21 @@ impl Seen {
         camera: &Camera,
         (response, pointer): (&Response, Option<Pos2>),
     ) {
-        let counts = fitting::counts(&self.shown, &camera.transform);
-        let now = fitting::drawn(&self.shown, counts);
-        if now != self.not_drawn {
-            ui.data_mut(|data| data.insert_temp(not_drawn(), now));
-            ui.ctx().request_repaint();
-        }
         if let Some(room) = self.scale {
             legend::scale_in(ui, room, workbench, &self.shown, camera);
         }
         if let Some(robot) = &self.robot {
-            label(ui, camera, robot);
+            label(ui, workbench, camera, robot);
         }
-        let within = (REACH, counts[0]);
+        let [points, _] = fitting::counts(&self.shown, &camera.transform);
+        let within = (REACH, points);
         let under = pointer.and_then(|at| under(workbench, &self.shown, camera, (at, within)));
         hover(response, workbench, under);
     }
 }
 
 /// Where the robot's tool is, for a screen reader.
-fn label(ui: &Ui, camera: &Camera, drawn: &Drawn) {
+fn label(ui: &Ui, workbench: &Workbench, camera: &Camera, drawn: &Drawn) {
     let frame = camera.frame();
     let tool = drawn.corners_mm.last();
     let tool = tool.map(|p| camera.at(p.coords.into()));
@@ -281,7 +252,7 @@ fn label(ui: &Ui, camera: &Camera, drawn: &Drawn) {
     let place = Rect::from_min_size(at.unwrap_or(frame.left_top()), Vec2::splat(1.0));
     let id = ui.scope_id().with("robot");
     let response = ui.interact(place, id, egui::Sense::hover());
-    let says = drawn.describe();
+    let says = drawn.describe(workbench);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, &says));
 }
 
@@ -302,8 +273,8 @@ pub(super) fn tell_plot_size(workbench: &Workbench, points_per_mm: f64) {
 
 /// Size of a handle, points: large enough for a finger.
 const SIZE: f32 = 22.0;
-/// Steps of the keyboard: with and without shift.
-const STEPS_DEG: (f64, f64) = (5.0, SNAP_DEG);
+/// Steps of the keyboard: without and with shift.
+const STEPS_DEG: [f64; 2] = [SNAP_DEG, 5.0];
 
 /// Where the handles of a plot are, and what angle a place on it is, near another angle; rad.
 pub(crate) struct Handles<'a> {
@@ -342,7 +313,6 @@ pub(crate) fn grab(ui: &Ui, workbench: &Workbench) {
 /// Shows a handle for every boundary and sends what the hand does with it.
 pub(crate) fn boundary_handles(ui: &mut Ui, workbench: &Workbench, handles: &Handles<'_>) {
     let document = workbench.document();
-    let within = document.loaded_session.travel();
     for (index, boundary) in regions::boundaries(&document.regions).iter().enumerate() {
         let centre = (handles.at)(boundary.at_rad);
         if !handles.frame.contains(centre) {
@@ -353,67 +323,36 @@ pub(crate) fn boundary_handles(ui: &mut Ui, workbench: &Workbench, handles: &Han
         let response = ui
             .interact(rect, id, Sense::click_and_drag())
             .on_hover_cursor(CursorIcon::Grab);
+        let label = (handles.name)(workbench.units().angle(boundary.at_rad));
         let at_deg = deg_from_rad(boundary.at_rad);
-        response.widget_info(|| {
-            let label = (handles.name)(workbench.units().angle(boundary.at_rad));
-            let mut info = WidgetInfo::slider(ui.is_enabled(), at_deg, label);
-            info.role = Role::Slider;
-            info
-        });
-        let room = regions::allowed_range(&document.regions, index, within);
-        if let Some((low, high)) = room {
-            ui.ctx().accesskit_node_builder(id, |node| {
-                node.set_min_numeric_value(deg_from_rad(low));
-                node.set_max_numeric_value(deg_from_rad(high));
-                node.set_numeric_value_step(SNAP_DEG);
-                node.add_action(Action::SetValue);
-                node.add_action(Action::Increment);
-                node.add_action(Action::Decrement);
-            });
-        }
+        response.widget_info(|| WidgetInfo::slider(ui.is_enabled(), at_deg, &label));
         if response.drag_started() || response.clicked() {
             response.request_focus();
         }
-        if response.dragged()
-            && let Some(pointer) = response.interact_pointer_pos()
-        {
-            let to = regions::snapped_rad((handles.angle)(pointer, boundary.at_rad));
-            workbench.edits(move |document| document.move_boundary(index, to));
-        }
-        if let Some(to_deg) = moved_by_keys(ui, &response, at_deg) {
-            let to = rad_from_deg(to_deg);
+        let pointer = response.interact_pointer_pos();
+        let pointer = pointer.filter(|_| response.dragged());
+        let to = pointer.map(|at| regions::snapped_rad((handles.angle)(at, boundary.at_rad)));
+        let by_keys = || Some(rad_from_deg(at_deg + moved_by_keys(ui, &response)?));
+        if let Some(to) = to.or_else(by_keys) {
             workbench.edits(move |document| document.move_boundary(index, to));
         }
         paint(ui, &response);
     }
 }
 
-fn moved_by_keys(ui: &Ui, response: &Response, at_deg: f64) -> Option<f64> {
-    let mut steps = 0.0;
-    let mut step_deg = STEPS_DEG.1;
-    if response.has_focus() {
-        widgets::keep_arrows(ui, response.id);
-        ui.input(|input| {
-            let presses = |key: Key| input.num_presses(key) as f64;
-            steps += presses(Key::ArrowUp) + presses(Key::ArrowRight);
-            steps -= presses(Key::ArrowDown) + presses(Key::ArrowLeft);
-            if input.modifiers.shift {
-                step_deg = STEPS_DEG.0;
-            }
-        });
+/// By how much the keys move it, degrees.
+fn moved_by_keys(ui: &Ui, response: &Response) -> Option<f64> {
+    if !response.has_focus() {
+        return None;
     }
-    let asked = ui.input(|input| {
-        steps += input.num_accesskit_action_requests(response.id, Action::Increment) as f64;
-        steps -= input.num_accesskit_action_requests(response.id, Action::Decrement) as f64;
-        let values = input.accesskit_action_requests(response.id, Action::SetValue);
-        values
-            .filter_map(|request| match request.data {
-                Some(ActionData::NumericValue(value)) => Some(value),
-                _ => None,
-            })
-            .last()
-    });
-    asked.or_else(|| (steps != 0.0).then_some(at_deg + steps * step_deg))
+    widgets::keep_arrows(ui, response.id);
+    ui.input(|input| {
+        let presses = |key: Key| input.num_presses(key) as f64;
+        let on = presses(Key::ArrowUp) + presses(Key::ArrowRight);
+        let steps = on - presses(Key::ArrowDown) - presses(Key::ArrowLeft);
+        let step = STEPS_DEG[usize::from(input.modifiers.shift)];
+        (steps != 0.0).then_some(steps * step)
+    })
 }
 
 fn paint(ui: &Ui, response: &Response) {
@@ -428,10 +367,6 @@ fn paint(ui: &Ui, response: &Response) {
     let radius = if busy { 7.5 } else { 6.0 };
     let edge = Stroke::new(2.0, palette.accent);
     painter.circle(response.rect.center(), radius, fill, edge);
-    if response.has_focus() {
-        let ring = Stroke::new(1.5, palette.accent);
-        painter.circle_stroke(response.rect.center(), radius + 3.5, ring);
-    }
 }
 
 #[cfg(test)]
@@ -452,11 +387,7 @@ mod tests {
 
     #[test]
     fn of_marks_on_one_another_the_nearest_to_the_viewer_is_picked() {
-        let mark = |sample, distance, nearness| Candidate {
-            sample,
-            distance,
-            nearness,
-        };
+        let mark = |sample, distance, nearness| (distance, nearness, sample);
         assert_eq!(picked(&[]), None);
         // Two on one another, and one beside them that is nearer to the viewer still.
         let marks = [

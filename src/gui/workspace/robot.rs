@@ -1,10 +1,4 @@
-//! The robot that is drawn, at which pose: the nominal one, and the real one beside it.
-//!
-//! The real robot is the nominal chain with its tool displaced by the deviation, magnified as vectors
-//! are. What its joints between do the tool alone cannot tell: the displacement grows evenly along the
-//! chain from where the first axis lets go of it, which for a column is exact.
-
-use std::f64::consts::TAU;
+//! The nominal robot, at which pose it is drawn, and its links and joints as capsules.
 
 use egui::{Color32, Pos2, Stroke};
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -14,6 +8,7 @@ use crate::gui::core::skeleton::Skeleton;
 use crate::gui::style::Palette;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::{JointKind, Robot};
+use crate::numeric::single;
 use crate::present::chart::Form;
 
 use super::pen::{Camera, Pen};
@@ -40,9 +35,7 @@ pub(crate) struct Drawn {
     /// The nominal robot from base to tool, mm of the measuring frame.
     pub(crate) corners_mm: Vec<Point3<f64>>,
     /// Its joints.
-    pub(crate) signs: Vec<JointSymbol>,
-    /// The joints' names and values.
-    pub(crate) values: Vec<(String, String)>,
+    signs: Vec<JointSymbol>,
 }
 
 impl Drawn {
@@ -66,14 +59,9 @@ impl Drawn {
         let target = sample.and_then(|s| Some(loaded_session.session.samples.target.as_ref()?[s]));
         let target = targets.get(target.map_or(0, |t| t as usize));
         let target_mm = target.map_or_else(Point3::origin, |t| t.position_mm);
-        let units = workbench.units();
-        let values = robot.joints.iter().zip(&q);
-        let values =
-            values.map(|(joint, q)| (joint.name.clone(), joint_value(units, joint.kind, *q)));
         Some(Self {
             sample,
             asked_for: asked.is_some(),
-            values: values.collect(),
             ..Self::at(robot, q, &target_mm, &workbench.base())?
         })
     }
@@ -96,21 +84,22 @@ impl Drawn {
             sample: None,
             asked_for: true,
             signs: signs(robot, &q, base, &corners_mm),
-            values: Vec::new(),
             corners_mm,
             q,
         })
     }
 
     /// In words: which sample, at which joint values.
-    pub(crate) fn describe(&self) -> String {
+    pub(crate) fn describe(&self, workbench: &Workbench) -> String {
         let mut says = match self.sample {
             Some(sample) => say!("robot at sample {sample}", sample = sample + 1),
             None => say!("robot at home").to_owned(),
         };
-        for (k, (name, value)) in self.values.iter().enumerate() {
+        let joints = &workbench.loaded_session().session.robot.joints;
+        for (k, (joint, q)) in joints.iter().zip(&self.q).enumerate() {
             says += if k == 0 { ": " } else { ", " };
-            says += &format!("{name} {value}");
+            let value = joint_value(workbench.units(), joint.kind, *q);
+            says += &format!("{} {value}", joint.name);
         }
         says
     }
@@ -147,61 +136,93 @@ fn home(robot: &Robot) -> Vec<f64> {
     robot.joints.iter().map(value).collect()
 }
 
-/// Width of a rod, and of its wall, points.
-const ROD: [f32; 2] = [10.0, 1.25];
-/// Radius and half the length of a drum, points; of a joint that slides half a side.
-const DRUM: [f64; 2] = [8.5, 8.5];
-const BLOCK: f64 = 8.0;
+/// Width of a link and of its wall, points.
+const LINK: f32 = 10.0;
+const WALL: f32 = 1.25;
+/// Width of a joint that turns and half the length of what is between its ends, points; and of one that slides.
+const DRUM: (f32, f64) = (17.0, 4.5);
+const SLIDE: (f32, f64) = (12.0, 10.0);
 /// Below this part of its length an axis is looked along.
 const END_ON: f32 = 0.35;
-/// Half a side of the plate that the robot stands on, points.
-const PLATE: f64 = 17.0;
-/// How thick rods and drums become at most, and the part of the robot's length at which they begin to.
+/// How thick everything becomes at most, and the part of the robot's length at which it begins to.
 const THICKER: f64 = 2.2;
 const SLENDER: f64 = 0.04;
-/// A rod from its wall to its crest: how wide, as a part of the rod, and how much turned to the light.
+/// From the wall to the crest: how wide, as a part of the whole, and how much turned to the light.
 const ROUND: [(f32, f32); 4] = [(1.0, 0.35), (0.72, 0.55), (0.46, 0.72), (0.2, 0.86)];
-/// How much the ends of drums and their bodies are turned to the light.
-const DRUM_LIT: [f32; 2] = [0.95, 0.4];
 /// How much of the robot is seen that was not asked for.
 const FAINT: f32 = 0.8;
-/// How much of the robot's colour a face has that is turned to the light, and one that is not, on a
+/// How much of the robot's colour it has where it is turned to the light, and where it is not, on a
 /// surface that is lighter than that colour, and on one that is darker.
 const ON_LIGHT: [f32; 2] = [0.16, 0.78];
 const ON_DARK: [f32; 2] = [0.95, 0.28];
 
-/// Both robots, beneath what was measured: links as rods and joints as drums about their axes, lit, what is near over
-/// what is far. Rods and drums are as thick at any zoom: they are signs, not the machine; a robot that is drawn large
-/// has them thicker, as far as a hand's breadth. The real robot is a line with a filled tool: form says what colour
-/// says. `base` is the base in the measuring frame.
-pub(super) fn body(pen: &mut Pen<'_>, drawn: &Drawn, base: &Isometry3<f64>, camera: &Camera) {
-    let points_per_mm = camera.points_per_mm();
-    let body = Body {
-        camera,
-        palette: pen.palette,
-        mm: 1.0 / points_per_mm,
-        thick: thick(drawn, points_per_mm),
-        part: if drawn.asked_for { 1.0 } else { FAINT },
-    };
-    let (edge, surface) = (body.seen(pen.palette.nominal), pen.palette.surface);
-    if let Some(stands) = drawn.corners_mm.first() {
-        let sides = [Vector3::x(), Vector3::y()].map(|side| base.rotation * side * PLATE);
-        let plate = body.face(*stands, sides, false);
-        pen.area(plate, surface, Stroke::new(1.25, edge));
+/// A link from one corner to the next, or a joint along its axis: how near it is, its ends, how wide it is, and the
+/// colour of its wall.
+type Capsule = (f64, [Pos2; 2], f32, Color32);
+
+/// The robot beneath what was measured: links and joints as capsules, lit, what is near over what is far. They are as
+/// thick at any zoom: they are signs, not the machine; a robot that is drawn large has them thicker, as far as a hand's
+/// breadth.
+pub(super) fn body(pen: Pen<'_>, drawn: &Drawn, camera: &Camera) {
+    let palette = pen.palette;
+    let thick = thick(drawn, camera.points_per_mm());
+    let part = if drawn.asked_for { 1.0 } else { FAINT };
+    let seen = |color: Color32| palette.surface.lerp_to_gamma(color, part);
+    let mut capsules = capsules(drawn, camera, thick, [palette.nominal, palette.text]);
+    capsules.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (_, ends, width, wall) in capsules {
+        let inner = width - 2.0 * WALL;
+        let lit = ROUND.map(|(part, turned)| (part * inner, lit(palette, turned)));
+        for (width, color) in std::iter::once((width, wall)).chain(lit) {
+            pen.line(ends, Stroke::new(width, seen(color)));
+            for end in ends {
+                pen.painter.circle_filled(end, 0.5 * width, seen(color));
+            }
+        }
     }
-    body.links_and_joints(pen, drawn);
-    // The open ring of the nominal robot's tool.
+    // The open ring of the tool.
     if let Some(tool) = drawn.corners_mm.last() {
+        let edge = Stroke::new(1.5, seen(palette.nominal));
         let ring = (Form::Disc, 5.5);
-        pen.mark(body.at(tool), ring, surface, Stroke::new(1.5, edge));
+        pen.mark(camera.at(tool.coords.into()), ring, palette.surface, edge);
     }
 }
 
-/// How many times as thick as their least rods and drums are.
+fn capsules(drawn: &Drawn, camera: &Camera, thick: f64, walls: [Color32; 2]) -> Vec<Capsule> {
+    let at = |p: Point3<f64>| camera.at(p.into());
+    let nearness = |p: Point3<f64>| camera.facing.nearness(p.into());
+    let links = drawn.corners_mm.windows(2).map(|pair| {
+        let middle = nalgebra::center(&pair[0], &pair[1]);
+        let width = LINK * single(thick);
+        (
+            nearness(middle),
+            [pair[0], pair[1]].map(at),
+            width,
+            walls[0],
+        )
+    });
+    let joints = drawn.signs.iter().map(|sign| {
+        let (width, half) = if sign.turns { DRUM } else { SLIDE };
+        let width = width * single(thick);
+        let mm = |points: f64| points / camera.points_per_mm();
+        let off = Vector3::from(sign.axis) * mm(thick * half);
+        // An axis that is looked along is a point: its end is seen through the links over it.
+        let above = if camera.direction(sign.axis).length() < END_ON {
+            f64::INFINITY
+        } else {
+            nearness(sign.at_mm) + mm(0.5 * f64::from(width))
+        };
+        let ends = [sign.at_mm - off, sign.at_mm + off];
+        (above, ends.map(at), width, walls[1])
+    });
+    links.chain(joints).collect()
+}
+
+/// How many times as thick as they are at least links and joints are.
 fn thick(drawn: &Drawn, points_per_mm: f64) -> f64 {
     let corners = drawn.corners_mm.windows(2);
     let length_mm: f64 = corners.map(|pair| (pair[1] - pair[0]).norm()).sum();
-    let times = SLENDER * length_mm * points_per_mm / f64::from(ROD[0]);
+    let times = SLENDER * length_mm * points_per_mm / f64::from(LINK);
     // A robot without a size has them as they are.
     if times.is_finite() {
         times.clamp(1.0, THICKER)
@@ -210,125 +231,12 @@ fn thick(drawn: &Drawn, points_per_mm: f64) -> f64 {
     }
 }
 
-/// A link from one corner to the next, or a joint.
-enum Piece<'a> {
-    Rod(&'a Point3<f64>, &'a Point3<f64>),
-    Joint(&'a JointSymbol),
-}
-
-/// What the signs of a robot are drawn by.
-struct Body<'a> {
-    camera: &'a Camera,
-    palette: &'a Palette,
-    /// A point of the picture, mm.
-    mm: f64,
-    /// How many times as thick as their least rods and drums are.
-    thick: f64,
-    /// How much of the robot is seen.
-    part: f32,
-}
-
-impl Body<'_> {
-    /// In full where the pose was asked for, or else paler.
-    fn seen(&self, color: Color32) -> Color32 {
-        self.palette.surface.lerp_to_gamma(color, self.part)
-    }
-
-    /// The colour of a face, by how much it is turned to the light, from 0 to 1.
-    fn lit(&self, turned: f32) -> Color32 {
-        let Palette {
-            surface, nominal, ..
-        } = *self.palette;
-        let bright = |c: Color32| u16::from(c.r()) + u16::from(c.g()) + u16::from(c.b());
-        let on_light = bright(surface) > bright(nominal);
-        let [lit, dark] = if on_light { ON_LIGHT } else { ON_DARK };
-        self.seen(surface.lerp_to_gamma(nominal, dark + (lit - dark) * turned))
-    }
-
-    fn at(&self, p: &Point3<f64>) -> Pos2 {
-        self.camera.at(p.coords.into())
-    }
-
-    fn links_and_joints(&self, pen: &mut Pen<'_>, drawn: &Drawn) {
-        let nearness = |p: Point3<f64>| self.camera.facing.nearness(p.into());
-        let mut pieces: Vec<(f64, Piece<'_>)> = Vec::new();
-        for pair in drawn.corners_mm.windows(2) {
-            if (pair[1] - pair[0]).norm() > 1e-6 {
-                let middle = nalgebra::center(&pair[0], &pair[1]);
-                pieces.push((nearness(middle), Piece::Rod(&pair[0], &pair[1])));
-            }
-        }
-        for sign in &drawn.signs {
-            // An axis that is looked along is a point: its end is seen through the links over it.
-            let along = self.camera.direction(sign.axis);
-            let above = if along.length() < END_ON {
-                f64::INFINITY
-            } else {
-                nearness(sign.at_mm) + self.thick * DRUM[0] * self.mm
-            };
-            pieces.push((above, Piece::Joint(sign)));
-        }
-        pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
-        for (_, piece) in pieces {
-            match piece {
-                Piece::Rod(from, to) => self.rod(pen, [from, to].map(|p| self.at(p))),
-                Piece::Joint(sign) => self.joint(pen, sign),
-            }
-        }
-    }
-
-    /// A flat piece around a point with these half sides (or radii, where it is round), points.
-    fn face(&self, at: Point3<f64>, sides: [Vector3<f64>; 2], round: bool) -> Vec<Pos2> {
-        let corners: u8 = if round { 24 } else { 4 };
-        let corner = |k: u8| {
-            let (sin, cos) = (TAU * (f64::from(k) + 0.5) / f64::from(corners)).sin_cos();
-            let out = if round { 1.0 } else { 2.0_f64.sqrt() };
-            self.at(&(at + (sides[0] * cos + sides[1] * sin) * (out * self.mm)))
-        };
-        (0..corners).map(corner).collect()
-    }
-
-    /// A link: round, lit from the front.
-    fn rod(&self, pen: &mut Pen<'_>, ends: [Pos2; 2]) {
-        let width = ROD[0] * crate::numeric::single(self.thick);
-        let inner = width - 2.0 * ROD[1];
-        let lit = ROUND.map(|(part, turned)| (part * inner, self.lit(turned)));
-        let wall = (width, self.seen(self.palette.nominal));
-        for (width, color) in std::iter::once(wall).chain(lit) {
-            pen.line(ends, Stroke::new(width, color));
-            for end in ends {
-                pen.disc(end, 0.5 * width, color);
-            }
-        }
-    }
-
-    /// A drum about an axis, or a block along it.
-    fn joint(&self, pen: &mut Pen<'_>, sign: &JointSymbol) {
-        let edge = Stroke::new(1.5, self.seen(self.palette.text));
-        let axis = Vector3::from(sign.axis);
-        let [radius, half] = if sign.turns { DRUM } else { [BLOCK; 2] };
-        let [radius, half] = [radius, half].map(|points| self.thick * points);
-        let aside = if axis.x.abs() < 0.9 {
-            Vector3::x()
-        } else {
-            Vector3::y()
-        };
-        let across = axis.cross(&aside).normalize();
-        let sides = [across * radius, axis.cross(&across) * radius];
-        // The end that is farther first, the body over it, the nearer end over both.
-        let way = if self.camera.facing.nearness(sign.axis) < 0.0 {
-            -axis
-        } else {
-            axis
-        };
-        let off = way * (half * self.mm);
-        let near = sign.at_mm + off;
-        let ends = [sign.at_mm - off, near].map(|end| self.face(end, sides, sign.turns));
-        pen.area(ends.concat(), self.lit(DRUM_LIT[1]), edge);
-        let [_, end] = ends;
-        pen.area(end, self.lit(DRUM_LIT[0]), edge);
-        pen.disc(self.at(&near), 1.6, edge.color);
-    }
+/// The robot's colour by how much it is turned to the light, from 0 to 1.
+fn lit(palette: &Palette, turned: f32) -> Color32 {
+    let (surface, nominal) = (palette.surface, palette.nominal);
+    let on_light = surface.intensity() > nominal.intensity();
+    let [lit, dark] = if on_light { ON_LIGHT } else { ON_DARK };
+    surface.lerp_to_gamma(nominal, dark + (lit - dark) * turned)
 }
 
 #[cfg(test)]
@@ -348,10 +256,10 @@ mod tests {
         workbench.execute(|bench| bench.view.select(Some(30)));
         let chosen = Drawn::of(&workbench).expect("there are samples");
         assert!(chosen.asked_for);
-        assert_eq!(chosen.describe(), "robot at sample 31: pan 0°");
+        assert_eq!(chosen.describe(&workbench), "robot at sample 31: pan 0°");
         workbench.execute(|bench| bench.view.hovered = Some(0));
         let hovered = Drawn::of(&workbench).expect("there are samples");
-        assert_eq!(hovered.describe(), "robot at sample 1: pan −90°");
+        assert_eq!(hovered.describe(&workbench), "robot at sample 1: pan −90°");
     }
 
     #[test]

@@ -5,6 +5,7 @@
 use std::sync::Arc;
 
 use egui::epaint::Mesh;
+use egui::text::{LayoutJob, TextWrapping};
 use egui::{Align2, Color32, Rect, Shape, Stroke, TextureOptions, pos2, vec2};
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 
@@ -15,8 +16,8 @@ use crate::gui::style::{size, strong};
 use crate::gui::view::Ball;
 use crate::gui::workbench::Workbench;
 use crate::gui::workspace::fitting::{self, HANDLE, SECTOR};
-use crate::gui::workspace::model::{Dial, Shown, VisibleSample, ball, shown};
-use crate::gui::workspace::pen::{Camera, Label, Pen};
+use crate::gui::workspace::model::{Dial, Shown, shown};
+use crate::gui::workspace::pen::{Camera, Pen};
 use crate::gui::workspace::pointer::marked;
 use crate::gui::workspace::robot::{Drawn, body};
 use crate::numeric::whole;
@@ -33,7 +34,7 @@ const AXIS: f64 = 34.0;
 
 /// The workspace in a plane.
 pub(super) fn plane(
-    pen: &mut Pen<'_>,
+    pen: Pen<'_>,
     workbench: &Workbench,
     shown: &Shown,
     robot: Option<&Drawn>,
@@ -47,7 +48,7 @@ pub(super) fn plane(
     heat(pen, workbench, shown, camera);
     path(pen, shown, camera);
     if let Some(robot) = robot {
-        body(pen, robot, &workbench.base(), camera);
+        body(pen, robot, camera);
     }
     samples(pen, workbench, shown, camera);
     emphasised(pen, workbench, shown, camera);
@@ -56,7 +57,7 @@ pub(super) fn plane(
     }
 }
 
-fn sectors(pen: &mut Pen<'_>, dial: &Dial, regions: &[Region], editing: bool, camera: &Camera) {
+fn sectors(pen: Pen<'_>, dial: &Dial, regions: &[Region], editing: bool, camera: &Camera) {
     let mut order: Vec<usize> = (0..regions.len()).collect();
     order.sort_by(|a, b| regions[*a].from_rad.total_cmp(&regions[*b].from_rad));
     // All of them together, without soft edges: neighbouring pieces leave no seams.
@@ -72,7 +73,7 @@ fn sectors(pen: &mut Pen<'_>, dial: &Dial, regions: &[Region], editing: bool, ca
             }
         }
     }
-    pen.shapes.push(Shape::mesh(mesh));
+    pen.painter.add(Shape::mesh(mesh));
     let (end, stroke) = if editing {
         (HANDLE, Stroke::new(1.5, pen.palette.accent))
     } else {
@@ -85,7 +86,7 @@ fn sectors(pen: &mut Pen<'_>, dial: &Dial, regions: &[Region], editing: bool, ca
 }
 
 /// The heat map, if it is shown.
-fn heat(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera) {
+fn heat(pen: Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera) {
     let Some(heat) = workbench.heat() else {
         return;
     };
@@ -95,12 +96,12 @@ fn heat(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera
         let image = heat_map(heat, look, palette);
         ctx.load_texture("heat map", image, TextureOptions::LINEAR)
     });
-    pen.shapes
-        .push(map_in_plot(heat, picture.id(), &camera.transform));
+    pen.painter
+        .add(map_in_plot(heat, picture.id(), &camera.transform));
 }
 
 /// The way of each reflector on the nominal robot, with how sure the model is of it.
-fn path(pen: &mut Pen<'_>, shown: &Shown, camera: &Camera) {
+fn path(pen: Pen<'_>, shown: &Shown, camera: &Camera) {
     let palette = pen.palette;
     for path in &shown.paths_mm {
         let points = path.iter().map(|p| camera.at(*p));
@@ -117,73 +118,46 @@ fn path(pen: &mut Pen<'_>, shown: &Shown, camera: &Camera) {
 }
 
 /// Measured points and error vectors.
-fn samples(pen: &mut Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera) {
+fn samples(pen: Pen<'_>, workbench: &Workbench, shown: &Shown, camera: &Camera) {
     let pixels = pen.painter.pixels_per_point();
     let layer = CloudLayer {
         cloud: Arc::clone(workbench.loaded_session().cloud()),
         remainder: workbench.answer().map(|a| Arc::clone(&a.remainder)),
         frame: Frame::new(&shown.look, pen.palette, &camera.transform, pixels),
         counts: fitting::counts(shown, &camera.transform),
+        only: shown.vectors.clone(),
         ghosts: shown.look.ghosts(),
     };
-    pen.shapes.push(layer.shape(camera.frame()));
-    if let Some(some) = &shown.vectors {
-        vectors(pen, shown, some, camera);
-    }
-}
-
-/// The vectors of some samples, one by one.
-fn vectors(pen: &mut Pen<'_>, shown: &Shown, all: &[VisibleSample], camera: &Camera) {
-    let palette = pen.palette;
-    let ends = |one: &VisibleSample, v: [f64; 3]| {
-        // From where the simulation has it.
-        let from = [0, 1, 2].map(|k| one.at_mm[k] - v[k]);
-        let m = shown.magnification;
-        [from, [0, 1, 2].map(|k| from[k] + m * v[k])].map(|p| camera.at(p))
-    };
-    let ghost = palette.before.gamma_multiply(0.38);
-    let flat = if shown.look.answered {
-        palette.after
-    } else {
-        palette.before
-    };
-    for one in all {
-        if let Some(before) = one.before_mm {
-            pen.arrow(ends(one, before), Stroke::new(1.0, ghost));
-        }
-    }
-    for one in all {
-        pen.arrow(ends(one, one.vector_mm), Stroke::new(WIDTH, flat));
-    }
+    pen.painter.add(layer.shape(camera.frame()));
 }
 
 /// The samples that a finding is about, and the one under the pointer or else the chosen one.
-fn emphasised(pen: &mut Pen<'_>, workbench: &Workbench, all: &Shown, camera: &Camera) {
+fn emphasised(pen: Pen<'_>, workbench: &Workbench, all: &Shown, camera: &Camera) {
     let (view, loaded_session) = (&workbench.view, workbench.loaded_session());
     let palette = pen.palette;
     let measured =
         |sample: usize| loaded_session.usable[sample].then(|| loaded_session.measured(sample));
-    let ring = |pen: &mut Pen<'_>, at: [f64; 3]| {
+    let ring = |at: [f64; 3]| {
         let edge = Stroke::new(2.5, palette.accent);
         pen.mark(camera.at(at), (Form::Disc, 9.0), Color32::TRANSPARENT, edge);
     };
     for at in marked(view, loaded_session.len()).filter_map(measured) {
-        ring(pen, at);
+        ring(at);
     }
     let sample = view.hovered.or(view.selected);
     if let Some((sample, at)) = sample.and_then(|sample| Some((sample, measured(sample)?))) {
         // Its vector over all others, whatever their colour.
         let e = shown(workbench, sample);
         let from = [0, 1, 2].map(|k| at[k] - e[k]);
-        let to = [0, 1, 2].map(|k| from[k] + all.magnification * e[k]);
+        let to = [0, 1, 2].map(|k| from[k] + all.look.magnification * e[k]);
         let ends = [from, to].map(|p| camera.at(p));
         pen.arrow(ends, Stroke::new(2.0 * WIDTH + 2.0, palette.surface));
         pen.arrow(ends, Stroke::new(2.0 * WIDTH, palette.accent));
-        ring(pen, at);
+        ring(at);
     }
 }
 
-fn names_of_regions(pen: &mut Pen<'_>, dial: &Dial, regions: &[Region], camera: &Camera) {
+fn names_of_regions(pen: Pen<'_>, dial: &Dial, regions: &[Region], camera: &Camera) {
     let at = |q: f64| camera.at_flat(dial.at(q, NAMES * dial.radius_mm));
     for region in regions {
         let middle = at(0.5 * (region.from_rad + region.to_rad));
@@ -193,67 +167,45 @@ fn names_of_regions(pen: &mut Pen<'_>, dial: &Dial, regions: &[Region], camera: 
         } else {
             2.0 * middle.distance(camera.at_flat(dial.centre_mm))
         };
-        let label = Label {
-            font: strong(size::BODY),
-            most: Some(room.max(24.0)),
-            ..Label::new(&region.name, pen.palette.muted)
-        };
-        pen.label(middle, &label);
+        let (name, font) = (region.name.clone(), strong(size::BODY));
+        let mut job = LayoutJob::simple_singleline(name, font, pen.palette.muted);
+        job.wrap = TextWrapping::truncate_at_width(room.max(24.0));
+        let galley = pen.painter.layout_job(job);
+        let place = Align2::CENTER_CENTER.anchor_size(middle, galley.size());
+        pen.painter.galley(place.min, galley, pen.palette.muted);
     }
 }
 
-/// Where everything is in a picture of space.
-pub(super) struct Space {
-    pub(super) camera: Camera,
-    /// The base in the measuring frame.
-    pub(super) base: Isometry3<f64>,
-    pub(super) ball: Ball,
-}
-
-impl Space {
-    /// In a plot here.
-    pub(super) fn new(workbench: &Workbench, rect: Rect) -> Self {
-        let size = [rect.width(), rect.height()].map(f64::from);
-        let ball = ball(workbench);
-        let mut bounds = workbench.view.camera.bounds(&ball, size);
-        // What is drawn has the coordinates of the measuring frame.
-        let (facing, base) = (workbench.facing(), workbench.base());
-        let shift = facing.flat(base.translation.vector.into());
-        for end in &mut bounds {
-            *end = [0, 1].map(|k| end[k] + shift[k]);
-        }
-        Self {
-            camera: Camera::showing(facing, bounds, rect),
-            base,
-            ball,
-        }
+/// The camera of a picture of space here, which shows this ball of the base frame.
+pub(super) fn in_sight(workbench: &Workbench, ball: &Ball, rect: Rect) -> Camera {
+    let size = [rect.width(), rect.height()].map(f64::from);
+    let mut bounds = workbench.view.camera.bounds(ball, size);
+    // What is drawn has the coordinates of the measuring frame.
+    let facing = workbench.facing();
+    let shift = facing.flat(workbench.base().translation.vector.into());
+    for end in &mut bounds {
+        *end = [0, 1].map(|k| end[k] + shift[k]);
     }
-
-    /// A point of the base frame in the measuring frame.
-    pub(super) fn of_base(&self, p: [f64; 3]) -> [f64; 3] {
-        (self.base * Point3::from(p)).into()
-    }
+    Camera::showing(facing, bounds, rect)
 }
 
 /// Grid, robot, samples and frames.
 pub(super) fn in_space(
-    pen: &mut Pen<'_>,
+    pen: Pen<'_>,
     workbench: &Workbench,
     shown: &Shown,
     robot: Option<&Drawn>,
-    space: &Space,
+    (ball, camera): (&Ball, &Camera),
 ) {
-    let camera = &space.camera;
-    grid(pen, workbench, space);
+    grid(pen, workbench, ball, camera);
     path(pen, shown, camera);
     if let Some(robot) = robot {
-        body(pen, robot, &space.base, camera);
+        body(pen, robot, camera);
     }
     samples(pen, workbench, shown, camera);
-    proposed(pen, workbench, space);
     emphasised(pen, workbench, shown, camera);
-    frames(pen, workbench, robot, space);
-    side_of_squares(pen, workbench, space);
+    frames(pen, workbench, robot, camera);
+    side_of_squares(pen, workbench, ball, camera);
 }
 
 /// Side of a square of the grid, mm: round in the unit of which `per_mm` are a millimetre, and so that there are a few
@@ -283,59 +235,40 @@ fn lines(ball: &Ball, per_mm: f64) -> Vec<[[f64; 3]; 2]> {
     lines
 }
 
-fn grid(pen: &mut Pen<'_>, workbench: &Workbench, space: &Space) {
+fn grid(pen: Pen<'_>, workbench: &Workbench, ball: &Ball, camera: &Camera) {
+    let base = workbench.base();
     let per_mm = workbench.units().length_value(1.0);
     let axis = pen.palette.line.lerp_to_gamma(pen.palette.nominal, 0.4);
-    for ends in lines(&space.ball, per_mm) {
+    for ends in lines(ball, per_mm) {
         let through_origin = ends.iter().all(|p| p[0] == 0.0) || ends.iter().all(|p| p[1] == 0.0);
         let color = if through_origin {
             axis
         } else {
             pen.palette.line
         };
-        let ends = ends.map(|p| space.camera.at(space.of_base(p)));
+        let ends = ends.map(|p| camera.at((base * Point3::from(p)).into()));
         pen.line(ends, Stroke::new(1.0, color));
     }
 }
 
 /// How long the side of a square is, in the corner.
-fn side_of_squares(pen: &mut Pen<'_>, workbench: &Workbench, space: &Space) {
+fn side_of_squares(pen: Pen<'_>, workbench: &Workbench, ball: &Ball, camera: &Camera) {
     let units = workbench.units();
     let per_mm = units.length_value(1.0);
-    let square = trimmed(units.length_value(square_mm(&space.ball, per_mm)), 3);
+    let square = trimmed(units.length_value(square_mm(ball, per_mm)), 3);
     let says = say!("grid {square} {unit}", square, unit = units.length_name());
-    let corner = space.camera.frame().left_bottom() + vec2(4.0, -4.0);
-    let label = Label::new(says, pen.palette.muted).anchored(Align2::LEFT_BOTTOM);
-    pen.label(corner, &label);
-}
-
-/// Poses that a diagnosis proposes to measure: open diamonds where the target would be.
-fn proposed(pen: &mut Pen<'_>, workbench: &Workbench, space: &Space) {
-    let session = &workbench.loaded_session().session;
-    let poses = workbench.diagnosis().map_or(&[][..], |d| &d.next_poses);
-    let joints = session.robot.joint_count();
-    for pose in poses.iter().filter(|pose| pose.q.len() == joints) {
-        let named = |name: &String| session.targets.iter().find(|t| t.name == *name);
-        let known = pose.target.as_ref().and_then(named);
-        let known = known.or(session.targets.first());
-        let target = match pose.target_mm {
-            Some(at) => Point3::from(at),
-            None => known.map_or_else(Point3::origin, |t| t.position_mm),
-        };
-        let at = session.robot.point_in_base(&pose.q, &target);
-        let at = space.camera.at(space.of_base(at.into()));
-        let edge = Stroke::new(1.5, pen.palette.accent);
-        pen.mark(at, (Form::Diamond, 3.85), Color32::TRANSPARENT, edge);
-    }
+    let corner = camera.frame().left_bottom() + vec2(4.0, -4.0);
+    pen.label(corner, Align2::LEFT_BOTTOM, says, pen.palette.muted);
 }
 
 /// The frames of base, tool and instrument.
-fn frames(pen: &mut Pen<'_>, workbench: &Workbench, robot: Option<&Drawn>, space: &Space) {
-    frame(pen, say!("base"), space.base, &space.camera);
+fn frames(pen: Pen<'_>, workbench: &Workbench, robot: Option<&Drawn>, camera: &Camera) {
+    let base = workbench.base();
+    frame(pen, say!("base"), base, camera);
     let session = &workbench.loaded_session().session;
     if let Some(robot) = robot.filter(|r| r.asked_for) {
-        let tool = space.base * session.robot.base_from_tool(&robot.q);
-        frame(pen, say!("tool"), tool, &space.camera);
+        let tool = base * session.robot.base_from_tool(&robot.q);
+        frame(pen, say!("tool"), tool, camera);
     }
     let instrument = &session.instrument;
     let own_frame = workbench.found_base().or(workbench.loaded_session().base);
@@ -343,12 +276,12 @@ fn frames(pen: &mut Pen<'_>, workbench: &Workbench, robot: Option<&Drawn>, space
     if let Some(at) = stands.or(own_frame.map(|_| Vector3::zeros())) {
         // A tracker that stands aside is seen from farther away.
         let at = Isometry3::from_parts(at.into(), UnitQuaternion::identity());
-        frame(pen, &instrument.name, at, &space.camera);
+        frame(pen, &instrument.name, at, camera);
     }
 }
 
 /// A frame with its axes' letters and its name; an axis that is looked along has none.
-fn frame(pen: &mut Pen<'_>, name: &str, frame: Isometry3<f64>, camera: &Camera) {
+fn frame(pen: Pen<'_>, name: &str, frame: Isometry3<f64>, camera: &Camera) {
     let origin = frame.translation.vector;
     let from = camera.at(origin.into());
     let mut below = from.y;
@@ -363,11 +296,12 @@ fn frame(pen: &mut Pen<'_>, name: &str, frame: Isometry3<f64>, camera: &Camera) 
             camera.at(end.into())
         };
         pen.arrow([from, end(AXIS)], Stroke::new(1.5, pen.palette.text));
-        below = below.max(end(AXIS + 8.0).y + 6.0);
-        pen.label(end(AXIS + 8.0), &Label::new(letter, pen.palette.text));
+        let beyond = end(AXIS + 8.0);
+        below = below.max(beyond.y + 6.0);
+        pen.label(beyond, Align2::CENTER_CENTER, letter, pen.palette.text);
     }
-    let name = Label::new(name, pen.palette.muted).anchored(Align2::CENTER_TOP);
-    pen.label(pos2(from.x, below + 2.0), &name);
+    let below = pos2(from.x, below + 2.0);
+    pen.label(below, Align2::CENTER_TOP, name, pen.palette.muted);
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ use crate::gui::core::robot_table::RobotTable;
 use crate::gui::core::search::term_of;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
-use crate::gui::import_draft::{ImportAnswers, ImportDraft, RobotFrom};
+use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft, RobotFrom};
 use crate::gui::view::{About, NextAction, Sheet, What};
 use crate::gui::view::{Preferences, Theme};
 use crate::gui::workbench::{Change, Workbench};
@@ -300,27 +300,30 @@ fn any_answers(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) ->
     let mut answers = ImportAnswers::default();
     let path = |random: &mut ChaCha8Rng| files.any(random).display().to_string();
     answers.robot = match random.random_range(0..6) {
-        0 => RobotFrom::default().of_file(path(random)),
+        0 => RobotFrom::File,
         1 => RobotFrom::Here(Box::new(workbench.loaded_session().session.robot.clone())),
         2 => RobotFrom::Typed(Box::new(RobotTable::one_axis())),
         3 => RobotFrom::Example(random.random_range(0..4)),
         4 => {
             let all = crate::robots::library();
             let one = &all[random.random_range(0..all.len())];
-            RobotFrom::Listed(one.title(), Box::new(one.robot.clone()))
+            RobotFrom::Listed(Box::new(one.robot.clone()))
         }
         _ => RobotFrom::Open,
     };
+    if answers.robot == RobotFrom::File {
+        answers.choose(Companion::Robot, path(random));
+    }
     if random.random_range(0..3) == 0 {
         answers.reading.columns = vec!["q1_deg".to_owned(), "x_mm".to_owned(), "y_mm".to_owned()];
     }
     if random.random_range(0..6) == 0 {
-        answers.commands = path(random);
+        answers.choose(Companion::Commands, path(random));
         answers.clock_offset_s = Some(angle(random));
     }
     if random.random_range(0..6) == 0 {
-        answers.reference = path(random);
-        answers.targets = path(random);
+        answers.choose(Companion::Reference, path(random));
+        answers.choose(Companion::Targets, path(random));
     }
     answers
 }

@@ -52,12 +52,9 @@ pub(super) fn way_to_look(random: &mut ChaCha8Rng) -> Deed {
         0 => deed("LookInSpace", (), |bench, ()| bench.view.look_in_space()),
         _ => deed(
             "Turn",
-            Camera {
-                azimuth_rad: pick(random, &[0.3, -7.0, f64::NAN]),
-                zoom: pick(random, &[1.0, -2.0, 1e300]),
-                ..Camera::default()
-            }
-            .sound(),
+            Camera::default()
+                .orbited([pick(random, &[40.0, -900.0]), 0.0])
+                .zoomed(pick(random, &[1.0, 1e-9, 1e300]), [0.0; 2]),
             |bench, it| bench.view.camera = it,
         ),
     }

@@ -2,13 +2,13 @@
 //! units; what it leaves open; and the files beside it.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 
-use egui::{Button, ComboBox, DragValue, Link, RichText, TextEdit, Ui};
+use egui::{Button, ComboBox, DragValue, TextEdit, Ui};
 
 use crate::explain::Block;
-use crate::gui::core::disk::name_of;
-use crate::gui::import_draft::{Companion, ImportAnswers, ImportDraft, in_the_sheets_words};
+use crate::gui::import_draft::{
+    Companion, ImportAnswers, ImportDraft, RobotFrom, in_the_sheets_words,
+};
 use crate::gui::style::{Palette, space};
 use crate::gui::views::blocks;
 use crate::gui::widgets::{self, Buttons, Does, Forms, Words};
@@ -19,7 +19,6 @@ use crate::importers::{
 };
 use crate::language::spoken;
 use crate::present::table::{Cell, Column, Table};
-use crate::sessions::Target;
 
 /// The file in a line: rows, separator, encoding, unit.
 pub(super) fn found_out(now: &ImportDraft) -> String {
@@ -257,12 +256,9 @@ fn answered(reading: &mut Reading, about: About, answer: &str) {
 /// Where the robot was sent.
 pub(super) fn commanded(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workbench) {
     ui.section(say!("Commanded positions, if the table does not have them"));
-    let field = (
-        say!("File of the commands"),
-        say!("a table with q1_deg, … and perhaps name, time_s, dir1, load_kg"),
-    );
-    path(ui, field, Companion::Commands, draft, workbench);
-    if draft.answers.commands.trim().is_empty() {
+    let hint = say!("a table with q1_deg, … and perhaps name, time_s, dir1, load_kg");
+    path(ui, Companion::Commands, hint, draft, workbench);
+    if draft.answers.file(Companion::Commands).is_empty() {
         return;
     }
     let ways = [
@@ -312,12 +308,9 @@ pub(super) fn base_frame(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workb
     ui.section(say!(
         "Reference points (base frame), if the instrument has a frame of its own"
     ));
-    let field = (
-        say!("File of the known points"),
-        say!("a table with name, x_mm, y_mm, z_mm; the same names as in the measured file"),
-    );
-    path(ui, field, Companion::Reference, draft, workbench);
-    if draft.answers.reference.trim().is_empty() {
+    let hint = say!("a table with name, x_mm, y_mm, z_mm; the same names as in the measured file");
+    path(ui, Companion::Reference, hint, draft, workbench);
+    if draft.answers.file(Companion::Reference).is_empty() {
         return;
     }
     ui.checkbox(&mut draft.answers.scale, say!("fit a scale too"));
@@ -362,72 +355,33 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
 }
 
 /// Where the reflectors sit.
-pub(super) fn reflectors(
-    ui: &mut Ui,
-    open: &[Target],
-    draft: &mut ImportDraft,
-    workbench: &Workbench,
-) {
+pub(super) fn reflectors(ui: &mut Ui, draft: &mut ImportDraft, workbench: &Workbench) {
     ui.section(say!("Reflectors in the tool frame, if there are several"));
-    let field = (
-        say!("File of the reflectors"),
-        say!("a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin"),
-    );
-    path(ui, field, Companion::Targets, draft, workbench);
-    let answers = &mut draft.answers;
-    if open.len() > 1 && answers.targets.trim().is_empty() {
-        let names: Vec<&str> = open.iter().map(|target| &*target.name).collect();
-        let text = say!(
-            "those of the open session: {names}",
-            names = names.join(", ")
-        );
-        let mut taken = answers.own_targets.is_some();
-        if ui.checkbox(&mut taken, text).changed() {
-            answers.own_targets = taken.then(|| open.to_vec());
-        }
-    } else {
-        answers.own_targets = None;
-    }
+    let hint =
+        say!("a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin");
+    path(ui, Companion::Targets, hint, draft, workbench);
 }
 
 /// A field for the path of a file, with a button that asks for it.
 pub(super) fn path(
     ui: &mut Ui,
-    (label, hint): (&str, &str),
     which: Companion,
+    hint: &str,
     draft: &mut ImportDraft,
     workbench: &Workbench,
 ) {
-    let mut typed = draft.answers.path_of(which).to_owned();
     let row = egui::Layout::right_to_left(egui::Align::Center);
     let room = egui::vec2(ui.available_width(), space::CONTROL);
     ui.allocate_ui_with_layout(room, row, |ui| {
         let choose = say!("Choose…");
-        let button = ui.named(format!("{choose} {label}"), Button::new(choose));
+        let button = ui.named(format!("{choose} {}", which.name()), Button::new(choose));
         button.does(workbench, move |bench| bench.choose_beside(which));
-        let field = TextEdit::singleline(&mut typed).hint_text(hint);
+        let typed = &mut draft.answers.files[which as usize];
+        let field = TextEdit::singleline(typed).hint_text(hint);
         let field = ui.add_sized([ui.available_width(), space::CONTROL], field);
-        widgets::label(&field, label);
-    });
-    let is_typed = |(of, path): &(Companion, PathBuf)| {
-        *of == which && path.as_path() == Path::new(typed.as_str())
-    };
-    if draft.taken.iter().any(is_typed) {
-        ui.hint(say!("Taken because its name is that of the file"));
-    }
-    let none = typed.trim().is_empty();
-    ui.horizontal_wrapped(|ui| {
-        for path in draft.neighbours.suiting(which).filter(|_| none) {
-            let file = name_of(path);
-            let text = say!("Use {file}", file);
-            let name = format!("{text}: {label}");
-            let link = Link::new(RichText::new(text).small());
-            if ui.named(name, link).clicked() {
-                typed = path.display().to_string();
-            }
+        widgets::label(&field, which.name());
+        if field.changed() && which == Companion::Robot {
+            draft.answers.robot = RobotFrom::File;
         }
     });
-    if typed != draft.answers.path_of(which) {
-        draft.answers.choose(which, typed);
-    }
 }

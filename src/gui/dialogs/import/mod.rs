@@ -60,8 +60,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) 
         file::commanded(ui, draft, workbench);
         file::order_of_rows(ui, &mut draft.answers);
         file::base_frame(ui, draft, workbench);
-        let open = &workbench.loaded_session().session.targets;
-        file::reflectors(ui, open, draft, workbench);
+        file::reflectors(ui, draft, workbench);
         result(ui, &seen, workbench.units());
         widgets::focus_in_sight(ui);
     });
@@ -119,10 +118,10 @@ fn result(ui: &mut Ui, seen: &InspectedDraft, units: Units) {
     let section = imported(samples, gap, matched, trial.alignment.as_ref(), detail);
     ui.section(&section.title);
     blocks::show(ui, &section.blocks);
-    let mut notes: Vec<_> = trial.notes.iter().collect();
-    notes.sort_by_key(|(severity, _)| std::cmp::Reverse(*severity == Severity::Warning));
-    for (severity, note) in notes.iter().take(MOST) {
-        line(ui, *severity, note);
+    let mut notes: Vec<_> = trial.loaded_session.findings.iter().collect();
+    notes.sort_by_key(|note| std::cmp::Reverse(note.severity));
+    for note in notes.into_iter().take(MOST) {
+        line(ui, note.severity, &in_the_windows_words(note));
     }
 }
 
@@ -140,16 +139,11 @@ fn robot(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
     let here = RobotFrom::Here(Box::new(here.clone()));
     choose(ui, draft, here, &text);
     listed(ui, workbench, draft);
-    let file = RobotFrom::Open.of_file(String::new());
-    choose(ui, draft, file, say!("from this file"));
-    let field = (
-        say!("File of the robot"),
-        say!("a robot, a session, or a URDF file"),
-    );
-    file::path(ui, field, Companion::Robot, draft, workbench);
-    if let RobotFrom::File { path, base, tip } = &mut draft.answers.robot
-        && RobotFrom::is_urdf(path)
-    {
+    choose(ui, draft, RobotFrom::File, say!("from this file"));
+    let hint = say!("a robot, a session, or a URDF file");
+    file::path(ui, Companion::Robot, hint, draft, workbench);
+    if draft.answers.is_of_links() {
+        let [base, tip] = &mut draft.answers.links;
         for (row, label, link) in [
             (&capital(say!("base")), say!("Link of the base"), base),
             (&say!("Tip").to_owned(), say!("Link of the tool"), tip),
@@ -227,8 +221,8 @@ fn listed(ui: &mut Ui, workbench: &Workbench, draft: &mut ImportDraft) {
         }
     });
     if let Some((made, title)) = taken.and_then(|taken| Some((taken.made()?, taken.title()))) {
-        search.clone_from(&title);
-        *robot = RobotFrom::Listed(title, Box::new(made.robot.clone()));
+        *search = title;
+        *robot = RobotFrom::Listed(Box::new(made.robot.clone()));
     }
 }
 
