@@ -68,7 +68,10 @@ fn shown(ui: &Ui, workbench: &Workbench, sheet: &mut Sheet) {
                 Sheet::About => about(ui, workbench),
                 Sheet::Compensation => compensation::compensation(ui, workbench),
                 Sheet::Details => record::details(ui, workbench),
-                Sheet::Preferences => preferences::preferences(ui, workbench),
+                Sheet::Preferences => {
+                    preferences::preferences(ui, workbench);
+                    done(ui, workbench);
+                }
                 Sheet::Recovery => unsaved::recovery(ui, workbench),
                 Sheet::Robots => robots::robots(ui, workbench),
                 Sheet::Words => words(ui, workbench),

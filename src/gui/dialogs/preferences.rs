@@ -66,7 +66,6 @@ pub(super) fn preferences(ui: &mut Ui, workbench: &Workbench) {
             percent
         ));
     }
-    super::done(ui, workbench);
     if next != now {
         workbench.then(move |bench| bench.prefer(next));
     }

@@ -8,8 +8,7 @@ use crate::gui::core::document::ExportChoice;
 use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Kind, Running};
 use crate::gui::view::{Message, What};
-use crate::gui::workbench::Workbench;
-use crate::gui::workbench::exports::Exported;
+use crate::gui::workbench::{Exported, Workbench};
 
 impl Workbench {
     /// The search that is under way.

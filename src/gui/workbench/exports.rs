@@ -9,10 +9,9 @@ use egui::ColorImage;
 use crate::compensation::decision::FittedErrors;
 use crate::export::find;
 use crate::gui::cache::{PreviewRequest, StandardsFigures};
-use crate::gui::core::answer::Question;
 use crate::gui::core::compensated::{Compensated, CompensationRequest, MOST_KG};
 use crate::gui::core::disk::name_of;
-use crate::gui::core::document::{ExportChoice, plain};
+use crate::gui::core::document::plain;
 use crate::gui::core::search::Search;
 use crate::gui::files::writing::{self, Made, Replace, Source};
 use crate::gui::jobs::{Kind, Watch};
@@ -24,7 +23,7 @@ use crate::report::svg::svg_file;
 use crate::robots::named;
 use crate::sessions::{robot_document, samples_path};
 
-use super::Workbench;
+use super::{Exported, Workbench};
 
 impl Workbench {
     /// What an export's file is called unless the user says otherwise.
@@ -360,14 +359,6 @@ impl Workbench {
         let make = move |path: &Path, _: &Watch| writing::targets(&compensated, path);
         Ok(later(inputs, make, Self::take_written))
     }
-}
-
-/// A table or a model that was written.
-pub(crate) struct Exported {
-    pub(super) path: PathBuf,
-    /// What its model answers.
-    pub(super) of: Question,
-    pub(super) choice: ExportChoice,
 }
 
 /// What is written once it has a path, and whether a file that is there may be replaced.

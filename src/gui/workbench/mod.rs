@@ -37,7 +37,7 @@ use crate::gui::charts::{ChartPlaceholder, Scene, Shown};
 use crate::gui::core::answer::Question;
 use crate::gui::core::compensated::Compensated;
 use crate::gui::core::disk::Fingerprint;
-use crate::gui::core::document::{Changed, Document, Method};
+use crate::gui::core::document::{Changed, Document, ExportChoice, Method};
 use crate::gui::core::history::History;
 use crate::gui::core::loaded_session::LoadedSession;
 use crate::gui::core::regions::Counts;
@@ -50,8 +50,6 @@ use crate::gui::jobs::{Jobs, Slot};
 use crate::gui::view::{
     Camera, Message, NextAction, OnDisk, Plane, Preferences, Sheet, Sorting, Step, ViewState,
 };
-use crate::gui::workbench::exports::Exported;
-use crate::gui::workbench::on_disk::{Look, Looked};
 use crate::present::numbers::Notation;
 use crate::present::units::Units;
 use crate::sessions::Region;
@@ -117,6 +115,28 @@ pub(super) struct Derived {
     pub(super) heat_picture: Memo<HeatLook, TextureHandle>,
     /// The samples in the order of their rows.
     pub(super) order: Memo<(PlotInputs, Sorting), Arc<[u32]>>,
+}
+
+/// A table or a model that was written.
+pub(crate) struct Exported {
+    pub(super) path: PathBuf,
+    /// What its model answers.
+    pub(super) of: Question,
+    pub(super) choice: ExportChoice,
+}
+
+/// A look at the disk.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Look {
+    pub(super) number: u64,
+    pub(super) files: Vec<Fingerprint>,
+    pub(super) recent: Vec<PathBuf>,
+}
+
+/// What it has found.
+pub(crate) struct Looked {
+    pub(super) change: Option<OnDisk>,
+    pub(super) missing: Vec<PathBuf>,
 }
 
 impl Workbench {

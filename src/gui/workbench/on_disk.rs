@@ -11,7 +11,7 @@ use crate::gui::files::{self};
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{OnDisk, Sheet, What};
 use crate::gui::workbench::answers::QUIETLY;
-use crate::gui::workbench::{Place, Workbench};
+use crate::gui::workbench::{Look, Looked, Place, Workbench};
 
 impl Workbench {
     /// Keeps preferences, recent files and what is not saved in this folder, and looks what it
@@ -242,20 +242,6 @@ impl Workbench {
             );
         }
     }
-}
-
-/// A look at the disk.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Look {
-    number: u64,
-    pub(super) files: Vec<Fingerprint>,
-    recent: Vec<PathBuf>,
-}
-
-/// What it has found.
-pub(crate) struct Looked {
-    pub(super) change: Option<OnDisk>,
-    pub(super) missing: Vec<PathBuf>,
 }
 
 /// The first file that is not there any more, else the first that is not what it was.
