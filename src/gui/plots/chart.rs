@@ -41,8 +41,9 @@ pub(crate) fn show(
 ) -> (Response, PlotTransform) {
     let (palette, chart) = (Palette::of(ui), &shown.chart);
     // No closer than their numbers need, which are left out otherwise.
-    let room = (ui.available_width() - 40.0) / 50.0;
-    let plot = plot(id, chart, f64::from(room.clamp(3.0, 9.0)), &palette);
+    let beside = label_width(ui.painter(), chart, &palette);
+    let room = (ui.available_width() - beside.max(40.0)) / 50.0;
+    let plot = plot(id, chart, beside, f64::from(room.clamp(3.0, 9.0)), &palette);
     plots::show(ui, plot, chart.bounds, |painter, transform| {
         let canvas = Canvas::new(transform, painter, &palette, chart);
         let mut shapes = canvas.drawn(shown);
@@ -67,15 +68,29 @@ pub(crate) fn sketch(painter: &Painter, room: Rect, shown: &Shown, palette: &Pal
     let bounds = PlotBounds::from_min_max(low, high);
     let transform = PlotTransform::new(room, bounds, false);
     let canvas = Canvas {
-        scale: 0.45,
+        scale: 0.3,
         ..Canvas::new(&transform, painter, palette, &shown.chart)
     };
     painter.extend(canvas.drawn(shown));
 }
 
+/// Room for the words beside a chart, points; none where it has numbers.
+fn label_width(painter: &Painter, chart: &Chart, palette: &Palette) -> f32 {
+    let Ticks::Words(words) = &chart.upwards.ticks else {
+        return 0.0;
+    };
+    let font = FontId::proportional(size::SMALL);
+    let wide = words.iter().map(|(_, word)| {
+        let galley = painter.layout_no_wrap(word.clone(), font.clone(), palette.text);
+        galley.size().x + 12.0
+    });
+    wide.fold(0.0, f32::max)
+}
+
 fn plot<'a>(
     id: impl std::hash::Hash + std::fmt::Debug,
     chart: &Chart,
+    label_width: f32,
     most: f64,
     palette: &Palette,
 ) -> Plot<'a> {
@@ -95,8 +110,8 @@ fn plot<'a>(
         .show_grid(lines)
         .x_grid_spacer(move |input| places(&x, input.bounds, most))
         .y_grid_spacer(move |input| places(&y, input.bounds, 4.0))
-        .custom_x_axes(of_chart(Axis::X, across, palette))
-        .custom_y_axes(of_chart(Axis::Y, upwards, palette))
+        .custom_x_axes(of_chart(Axis::X, across, palette, 0.0))
+        .custom_y_axes(of_chart(Axis::Y, upwards, palette, label_width))
 }
 
 /// What a chart is drawn on.

@@ -68,11 +68,13 @@ pub(crate) fn axis<'a>(
     }]
 }
 
-/// A chart's axis, with a word for each place where it has words.
+/// A chart's axis, with a word for each place where it has words, `width` the widest of them: known before it is laid out,
+/// so that the plot stands where it stays from its first frame on.
 pub(super) fn of_chart<'a>(
     side: Axis,
     of: &crate::present::chart::Axis,
     palette: &Palette,
+    width: f32,
 ) -> Vec<AxisHints<'a>> {
     let hints = axis(side, of.label.clone(), palette, |x| x);
     let Ticks::Words(words) = of.ticks.clone() else {
@@ -88,6 +90,7 @@ pub(super) fn of_chart<'a>(
     };
     let hint = hints.into_iter().next_back();
     let hint = hint.map(|hint| hint.label_spacing(Rangef::new(10.0, 16.0)));
+    let hint = hint.map(|hint| hint.min_thickness(width));
     let hint = hint.map(|hint| hint.tick_label_color(color));
     let named = hint.map(|hint| hint.formatter(move |mark, _| named(mark.value)));
     Vec::from_iter(named)

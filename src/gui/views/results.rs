@@ -85,6 +85,9 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         ui.weak(method);
         let [before, after] = [found.gap.before.rms_mm, found.gap.after.rms_mm].map(number);
         let unit = units.length_name();
+        // Long numbers have less room than short ones.
+        let wide = before.len() + after.len() + unit.len() > 11;
+        let font = strong(if wide { size::HEADING } else { size::DISPLAY });
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 0.0;
             for (part, color) in [
@@ -93,8 +96,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
                 (&after, palette.after),
                 (&format!(" {unit}"), palette.muted),
             ] {
-                let part = RichText::new(part).font(strong(size::DISPLAY));
-                ui.label(part.color(color));
+                ui.label(RichText::new(part).font(font.clone()).color(color));
             }
         });
         let from_to = |ends: [f64; 2]| {

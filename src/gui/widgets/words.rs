@@ -87,7 +87,8 @@ impl Words for Ui {
 
     fn question(&mut self, word: Word) {
         let palette = Palette::of(self);
-        let (rect, response) = self.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
+        let size = vec2(16.0, self.spacing().interact_size.y);
+        let (rect, response) = self.allocate_exact_size(size, Sense::hover());
         let says = say!("what {word} means", word = within(&word.name()));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, says.clone()));
         let painter = self.painter();
