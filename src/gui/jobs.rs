@@ -318,10 +318,10 @@ impl<K: PartialEq + Clone, V> Slot<K, V> {
         !std::mem::replace(&mut self.busy, true)
     }
 
-    /// It is there.
-    pub(crate) fn take(&mut self, of: K, made: V) {
+    /// It is there; what there was before.
+    pub(crate) fn take(&mut self, of: K, made: V) -> Option<(K, V)> {
         self.busy = false;
-        self.made = Some((of, made));
+        self.made.replace((of, made))
     }
 
     /// What was wanted last is cancelled.

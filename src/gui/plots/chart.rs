@@ -8,7 +8,7 @@ use egui::{
 };
 use egui_plot::{Axis, Plot, PlotBounds, PlotPoint, PlotTransform};
 
-use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Mark, Ticks};
+use crate::present::chart::{Chart, ColourRole, Entry, Item, LegendSymbol, Ticks};
 use crate::present::drawing::Anchor;
 
 use crate::gui::charts::{Bar, Shown};
@@ -16,7 +16,7 @@ use crate::gui::style::{Palette, size};
 use crate::gui::widgets::Words;
 use crate::gui::workbench::Workbench;
 
-use crate::gui::plots::{self, mark, of_chart, places};
+use crate::gui::plots::{self, many, mark, of_chart, places};
 
 /// What something that stands for this is drawn in.
 fn color(stands: ColourRole, palette: &Palette) -> Color32 {
@@ -204,9 +204,9 @@ impl<'a> Canvas<'a> {
                     let edge = Stroke::new(1.2, color.gamma_multiply(0.75));
                     (Color32::TRANSPARENT, edge, 3.2)
                 };
-                let radius = radius * self.scale;
-                let mark = |one: &Mark| mark(self.at(one.at), radius, one.form, fill, stroke);
-                shapes.extend(marks.iter().map(mark));
+                let places = marks.iter().map(|m| (self.at(m.at), m.form));
+                let looks = (radius * self.scale, fill, stroke);
+                many(self.painter.ctx(), places, looks, shapes);
             }
             Item::Word(word) => {
                 let font = FontId::proportional(size::SMALL);

@@ -142,7 +142,13 @@ fn one_below_the_other(ui: &mut Ui, table: &Table) {
     let in_a_line = |text: &str| with_minus_signs(text).replace('\n', " ");
     for row in &table.rows {
         let mut cells = row.iter().zip(&table.columns);
-        if let Some((first, column)) = cells.next() {
+        let first = cells.next();
+        let facts = cells.filter(|(cell, _)| !["", "–"].contains(&&*cell.shown));
+        let facts: Vec<_> = facts.collect();
+        if facts.is_empty() && row.len() > 1 {
+            continue;
+        }
+        if let Some((first, column)) = first {
             let name = in_a_line(&first.shown);
             // A number alone says nothing; a name says what it is.
             let name = if name.starts_with(|c: char| c.is_ascii_digit()) {
@@ -155,7 +161,7 @@ fn one_below_the_other(ui: &mut Ui, table: &Table) {
                 ui.label(RichText::new(name).font(strong(size::SMALL)));
             }
         }
-        for (cell, column) in cells.filter(|(cell, _)| !["", "–"].contains(&&*cell.shown)) {
+        for (cell, column) in facts {
             ui.fact(&in_a_line(&column.heading), in_a_line(&cell.shown));
         }
     }

@@ -375,7 +375,8 @@ impl Workbench {
         };
         self.jobs
             .start(kind, says, work, move |bench: &mut Self, (of, made)| {
-                slot(&mut bench.derived).take(of, made);
+                let before = slot(&mut bench.derived).take(of, made);
+                bench.let_go(before);
             });
     }
 

@@ -96,6 +96,15 @@ impl Workbench {
         }
     }
 
+    /// Gives the memory of what was worked out before back elsewhere: with many samples that takes
+    /// longer than a frame may.
+    pub(super) fn let_go(&mut self, before: Option<impl Send + 'static>) {
+        const MANY: usize = 100_000;
+        if before.is_some() && self.loaded_session().len() > MANY {
+            self.jobs.quietly(move || drop(before), |_, ()| ());
+        }
+    }
+
     pub(super) fn take_opened(&mut self, opened: Result<Opened, Message>) {
         match opened {
             Ok(Opened::Session(loaded_session)) => {

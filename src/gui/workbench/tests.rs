@@ -5,8 +5,8 @@ mod under_way;
 
 use std::sync::Arc;
 
+use super::Looked;
 use super::Workbench;
-use super::on_disk::Looked;
 use crate::gui::core::disk::FileChange;
 use crate::gui::core::regions::boundaries;
 
