@@ -2,6 +2,8 @@
 //! panel, nothing lies on something else, no text is cut, the plots stay readable and what comes
 //! next stays in sight.
 
+use std::path::PathBuf;
+
 use crate::window::{STEPS, Window, copied, into_sight, press, there, window_of};
 use egui::accesskit::Role;
 use egui::{Color32, FontFamily, FontId, Rect, Shape};
@@ -388,16 +390,17 @@ fn points_per_mm(window: &Window, plot: Rect) -> f32 {
     arrow / lengths.next().expect("what it stands for")
 }
 
-/// The median deviation of the session that the window begins with, mm.
-fn median_mm() -> f32 {
-    let mut window = window_of([1280.0, 800.0], None, Runner::AtOnce);
+/// Deviations of the nominal robot of a session, ascending, mm.
+fn before_mm(file: Option<PathBuf>) -> Vec<f32> {
+    let mut window = window_of([1280.0, 800.0], file, Runner::AtOnce);
     press(&mut window, "Samples");
     let rows = copied(&mut window, "Copy table of samples");
-    assert_eq!(rows[0][6], "before, mm");
-    let before = rows[1..].iter().map(|row| row[6].parse::<f32>());
+    let column = rows[0].iter().position(|head| head == "before, mm");
+    let column = column.expect("a column of deviations");
+    let before = rows[1..].iter().map(|row| row[column].parse::<f32>());
     let mut before: Vec<f32> = before.map(|mm| mm.expect("a number")).collect();
     before.sort_by(f32::total_cmp);
-    before[before.len() / 2]
+    before
 }
 
 #[test]
@@ -409,7 +412,10 @@ fn the_median_arrow_can_be_read_at_every_usual_size_where_a_robot_is_looked_at_f
     const MOST_OF_AN_ARM: f32 = 48.0;
     const FORESHORTENED: f32 = std::f32::consts::FRAC_PI_4;
     let arm = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");
-    let median_mm = median_mm();
+    // Of an arm half of what is drawn are the 32 largest, so that the least of these is the median.
+    let of_all = before_mm(None);
+    let of_arm = before_mm(Some(arm.into()));
+    let medians_mm = [of_all[of_all.len() / 2], of_arm[of_arm.len() - 32]];
     let mut medians = Vec::new();
     // A plane shows several joints too small; an arm begins in space.
     let axis = (None, &["x y", "3-D"][..]);
@@ -425,16 +431,10 @@ fn the_median_arrow_can_be_read_at_every_usual_size_where_a_robot_is_looked_at_f
                 let plot = figures.find(|t| names.iter().any(|name| t.says.starts_with(name)));
                 let plot = plot.expect("a plot").rect;
                 let is_arm = file.is_some();
-                let median = if is_arm {
-                    let mut lengths = arrows(&window, plot);
-                    lengths.sort_by(f32::total_cmp);
-                    assert!(lengths.len() > 60, "{size:?}, {view}: {}", lengths.len());
-                    lengths[lengths.len() / 2]
-                } else {
-                    // What the graphics processor draws is not among the shapes; in space it is foreshortened.
-                    let seen = if *view == "3-D" { FORESHORTENED } else { 1.0 };
-                    seen * median_mm * points_per_mm(&window, plot)
-                };
+                // What the graphics processor draws is not among the shapes; in space it is foreshortened.
+                let seen = if *view == "3-D" { FORESHORTENED } else { 1.0 };
+                let median_mm = medians_mm[usize::from(is_arm)];
+                let median = seen * median_mm * points_per_mm(&window, plot);
                 medians.push((is_arm, size, *view, median));
             }
         }

@@ -77,7 +77,7 @@ impl Pen<'_> {
         }
         let head = (0.35 * length).clamp(1.0, 6.0 + stroke.width);
         let neck = tip - along / length * head;
-        self.line([tail, neck], stroke);
+        self.painter.line_segment([tail, neck], stroke);
         let half = 0.5 * (tip - neck);
         let across = vec2(-half.y, half.x);
         let head = vec![tip, neck + across, neck - across];
