@@ -165,7 +165,7 @@ def main():
                         (path / f"{name}.json").write_text(text)
                     found = run(binary, "diagnose", path / "session.json", "--json", "--out", path / "d.json")
                     run(binary, "identify", path / "session.json", "--json", "--out", path / "i.json")
-                    names = [(effect["effect"], effect["joint"]) for effect in found["found"]]
+                    names = [(effect["effect"], effect.get("joint")) for effect in found["found"]]
                     false += any(name != ("joint-scale", 1) or "scale" not in hidden for name in names)
                     problems = [problem["what"] for problem in found["data_problems"]]
                     # The station of every session is unknown.
