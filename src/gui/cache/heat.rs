@@ -20,7 +20,8 @@ use crate::numeric::{single, whole};
 
 /// Cells along the longer side of what the robot reached.
 const CELLS: f64 = 144.0;
-/// The Gaussian's σ, cells: neighbours of a coarse session run into one another.
+/// The Gaussian's σ, cells: places less than 2σ apart run into one another, on the circle of an axis (π·144 cells) 35 and
+/// more.
 pub(crate) const SIGMA: f64 = 0.045 * CELLS;
 /// The Gaussian ends at so many σ.
 const END: f64 = 4.5;

@@ -199,7 +199,7 @@ pub(crate) struct Bar {
 type Stage = (ColourRole, Vec<(usize, Mark)>);
 
 /// Cells across and upwards, in which one of many samples is drawn.
-const CELLS: [usize; 2] = [120, 45];
+const CELLS: [usize; 2] = [160, 60];
 
 /// As many in sight are all drawn.
 const MOST_MARKS: usize = 1500;

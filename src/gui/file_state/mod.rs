@@ -167,7 +167,7 @@ pub(crate) struct Machine {
 }
 
 impl Machine {
-    /// As it is stated for a session in this folder; an empty one where it is in no file.
+    /// What was entered for a session in this folder; no folder where the session has no file.
     pub(crate) fn new(session: &Session, folder: &Path, stated: &Stated) -> Self {
         let document = serde_json::from_str(&stated.details.document());
         Self {

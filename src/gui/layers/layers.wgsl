@@ -54,7 +54,7 @@ fn faded(color: vec4f, depth: f32) -> vec4f {
     return vec4f(mix(color.rgb, frame.surface.rgb, part), color.a);
 }
 
-// What nobody sees.
+// Beyond the far plane: vertices there are clipped.
 fn nowhere() -> vec4f {
     return vec4f(2.0, 2.0, 2.0, 1.0);
 }

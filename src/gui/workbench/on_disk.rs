@@ -185,8 +185,8 @@ impl Workbench {
         self.file_state.looks += 1;
     }
 
-    /// Looks in the background whether the files of what is open are what they were, and which of the recent ones are
-    /// there.
+    /// Compares the files of what is open with their fingerprints, and finds the recent ones that are missing, in the
+    /// background.
     pub(super) fn keep_watching(&mut self) {
         let of = Look {
             number: self.file_state.looks,
